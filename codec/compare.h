@@ -1,0 +1,29 @@
+// Are two meshes the same up to the order of vertices and faces and the corner a face starts with?
+#ifndef CLERS_CODEC_COMPARE_H
+#define CLERS_CODEC_COMPARE_H
+
+#include <string>
+
+#include "codec/mesh.h"
+
+namespace clers {
+
+enum class Verdict {
+  same,       ///< a renumbering was found under which all faces and values agree bit for bit
+  different,  ///< no renumbering can exist
+  undecided,  ///< neither could be shown within the work allowed
+};
+
+struct Comparison {
+  Verdict verdict = Verdict::undecided;
+  std::string what;  ///< the first difference, for people; empty when same
+};
+
+/// Compares without any knowledge of the codec: refines classes of vertices by their values and their
+/// neighbourhoods until a renumbering is forced, then checks it. Positions may coincide.
+/// Attributes are matched by name and domain; their order does not matter, mesh names do not either.
+Comparison compare(const Mesh& a, const Mesh& b);
+
+}  // namespace clers
+
+#endif

@@ -1,0 +1,70 @@
+// What a mesh is and what a file holds, without decoding more than is needed.
+#ifndef CLERS_CODEC_INSPECT_H
+#define CLERS_CODEC_INSPECT_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "codec/error.h"
+#include "codec/mesh.h"
+
+namespace clers {
+
+/// Shape of a mesh. Components, boundary curves and genus are those of the surface that is left when
+/// it is cut at its non-manifold edges and vertices.
+struct MeshShape {
+  std::uint64_t vertices = 0;
+  std::uint64_t faces = 0;
+  std::uint64_t triangles = 0;  ///< a polygon of n corners counts n-2
+  std::uint64_t components = 0;
+  std::uint64_t boundary_curves = 0;
+  std::uint64_t genus = 0;  ///< sum over the components
+  std::uint64_t nonmanifold_edges = 0;     ///< edges of more than two faces
+  std::uint64_t nonmanifold_vertices = 0;  ///< vertices whose faces form more than one fan
+  std::uint64_t misoriented_edges = 0;     ///< edges of two faces that run along them the same way
+  std::uint64_t degenerate_faces = 0;      ///< faces that use a vertex twice
+  std::uint64_t isolated_vertices = 0;     ///< vertices that no face uses
+};
+
+/// Cost of one attribute in a file.
+struct AttributeInfo {
+  std::string name;
+  Domain domain = Domain::vertex;
+  Scalar scalar = Scalar::float32;
+  std::uint8_t components = 1;
+  std::uint64_t count = 0;  ///< values
+  std::uint64_t bytes = 0;  ///< compressed
+};
+
+/// One mesh of a file.
+struct MeshInfo {
+  MeshShape shape;
+  std::array<std::uint64_t, 5> clers = {};  ///< how many C, L, E, R, S
+  std::uint64_t connectivity_bytes = 0;
+  std::uint64_t position_bytes = 0;
+  std::uint64_t attribute_bytes = 0;  ///< of all attributes but the position
+  std::vector<AttributeInfo> attributes;
+  std::string name;
+};
+
+struct FileInfo {
+  std::uint32_t format_major = 0, format_minor = 0;
+  int level = 0;                 ///< that the file was made with
+  std::uint64_t total_bytes = 0;
+  std::uint64_t overhead_bytes = 0;  ///< total less connectivity, positions and attributes
+  std::vector<MeshInfo> meshes;
+};
+
+/// Describes a .clers file. Checks it as decode does, and decodes the connectivity to count.
+Expected<FileInfo> inspect(std::span<const std::byte> bytes);
+
+/// Measures any mesh, polygons and non-manifold ones included. Errors: inconsistent_mesh.
+Expected<MeshShape> measure(const Mesh& mesh);
+
+}  // namespace clers
+
+#endif

@@ -1,0 +1,72 @@
+// A mesh as plain arrays: face sizes, corner vertices, attributes by domain.
+#ifndef CLERS_CODEC_MESH_H
+#define CLERS_CODEC_MESH_H
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace clers {
+
+/// What an attribute has one value for.
+enum class Domain : std::uint8_t { vertex = 0, corner = 1, face = 2 };
+
+/// How one component of a value is stored. The numbers are the file format's.
+enum class Scalar : std::uint8_t {
+  int8 = 0,
+  uint8 = 1,
+  int16 = 2,
+  uint16 = 3,
+  int32 = 4,
+  uint32 = 5,
+  int64 = 6,
+  uint64 = 7,
+  float32 = 8,
+  float64 = 9,
+};
+inline constexpr unsigned scalar_count = 10;
+
+/// Size in bytes of a scalar.
+constexpr std::size_t size_of(Scalar s) {
+  constexpr std::uint8_t bytes[scalar_count] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+  return bytes[static_cast<unsigned>(s)];
+}
+
+/// Named values, one tuple of `components` scalars for each vertex, corner or face, in their order,
+/// packed, in native byte order. The vertex attribute named "position" is where the mesh lies.
+struct Attribute {
+  std::string name;
+  Domain domain = Domain::vertex;
+  Scalar scalar = Scalar::float32;
+  std::uint8_t components = 1;  ///< at least 1
+  std::vector<std::byte> data;  ///< count * stride() bytes
+
+  std::size_t stride() const { return size_of(scalar) * components; }
+};
+
+inline constexpr char position_name[] = "position";
+
+/// Faces are cycles of vertex indices, counterclockwise seen from outside, concatenated in `corners`.
+/// Vertices are 0 .. vertex_count-1; one that no face uses is allowed.
+struct Mesh {
+  std::uint32_t vertex_count = 0;
+  std::vector<std::uint32_t> corners;     ///< each below vertex_count
+  std::vector<std::uint32_t> face_sizes;  ///< corners of each face; empty: all faces are triangles
+  std::vector<Attribute> attributes;
+  std::string name;  ///< of the object in its file; may be empty
+
+  bool triangles_only() const { return face_sizes.empty(); }
+  std::size_t face_count() const { return triangles_only() ? corners.size() / 3 : face_sizes.size(); }
+
+  /// The vertex attribute "position", or nullptr.
+  const Attribute* position() const {
+    for (const Attribute& a : attributes)
+      if (a.domain == Domain::vertex && a.name == position_name) return &a;
+    return nullptr;
+  }
+};
+
+}  // namespace clers
+
+#endif
