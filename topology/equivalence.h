@@ -1,0 +1,28 @@
+// Are two surfaces the same up to renumbering?
+#ifndef CLERS_TOPOLOGY_EQUIVALENCE_H
+#define CLERS_TOPOLOGY_EQUIVALENCE_H
+
+#include <optional>
+#include <vector>
+
+#include "topology/surface.h"
+
+namespace clers {
+
+/// Which element of the second surface each element of the first is; null at dead ids.
+struct Correspondence {
+  std::vector<HalfEdge> half_edges;  ///< by half-edge of the first; faces follow by left()
+  std::vector<Vertex> vertices;      ///< by vertex of the first
+};
+
+/// A renumbering of faces, their corners (rotated) and vertices that makes `a` into `b` with its
+/// orientation, or nothing if there is none. Points do not matter.
+///
+/// Two components are compared from one half-edge on by a walk that must fit everywhere; tried are
+/// the half-edges of the rarest neighbourhood. O(F log F) when few look alike; a regular surface
+/// that is almost but not quite the other may cost up to O(F^2).
+std::optional<Correspondence> equivalent(const Surface& a, const Surface& b);
+
+}  // namespace clers
+
+#endif

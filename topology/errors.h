@@ -1,0 +1,76 @@
+// Why an operator refused, and what is wrong with arrays that are not a surface.
+#ifndef CLERS_TOPOLOGY_ERRORS_H
+#define CLERS_TOPOLOGY_ERRORS_H
+
+#include <cstdint>
+#include <string>
+
+namespace clers {
+
+/// What an operator requires of its arguments.
+enum class Precondition : std::uint8_t {
+  live_face,              ///< the face exists
+  live_half_edge,         ///< the half-edge is one of a face that exists
+  boundary_edge,          ///< the edge is on the boundary (glue, attach)
+  interior_edge,          ///< the edge is not on the boundary (unglue)
+  two_half_edges,         ///< a half-edge is not glued to itself
+  all_edges_on_boundary,  ///< no edge of the face is glued (destroy)
+  ids_left,               ///< fewer than max_faces faces
+};
+inline constexpr unsigned precondition_count = 7;
+
+/// A precondition that does not hold: which, and at which face or half-edge. Nothing was changed.
+struct Violation {
+  Precondition precondition = Precondition::live_face;
+  std::uint32_t element = 0;
+
+  friend bool operator==(const Violation&, const Violation&) = default;
+};
+
+/// What holds of the arrays of every surface, in the order validate() checks it.
+enum class Invariant : std::uint8_t {
+  array_sizes,         ///< three half-edges a face, one entry for each id; element: a size
+  face_pool,           ///< the free faces are the dead ones, each once; element: a face
+  vertex_pool,         ///< the same of vertices; element: a vertex
+  curve_pool,          ///< the same of curves; element: a curve
+  component_pool,      ///< the same of components; element: a component
+  origin_is_live,      ///< a half-edge leaves a vertex that exists; element: a half-edge
+  twin_in_range,       ///< a twin is null or a half-edge of a live face; element: a half-edge
+  twin_is_mutual,      ///< the twin's twin is the half-edge, which is not its own
+  twin_is_opposite,    ///< the twin leaves where the half-edge arrives, and arrives where it leaves
+  star_leaves_vertex,  ///< a vertex's star half-edge leaves it; element: a vertex
+  star_on_boundary,    ///< that of a boundary vertex is on the boundary; element: a vertex
+  corner_count,        ///< a vertex knows how many corners it has; element: a vertex
+  one_fan,             ///< the corners of a vertex are one fan; element: a vertex
+  ring_links,          ///< the tree links of a ring are mutual and in range; element: a half-edge
+  ring_members,        ///< the half-edges on rings are the boundary's; element: a half-edge
+  ring_shape,          ///< sizes add up and priorities decrease; element: a half-edge
+  ring_order,          ///< a ring runs along its boundary curve; element: a half-edge
+  curve_names,         ///< curves and roots of rings name each other; element: a curve
+  component_labels,    ///< neighbours are on one component, which exists; element: a face
+  component_connected,  ///< the faces of one label are connected; element: a component
+  component_counts,     ///< a component's six counts are right; element: a component
+  total_counts,         ///< the surface's six counts are the sums; element: which, 0..5
+  euler_poincare,       ///< v - e + f = 2(s - g) - b; element: a component
+};
+inline constexpr unsigned invariant_count = 23;
+
+/// An invariant that does not hold: which, and at which element.
+struct Fault {
+  Invariant invariant = Invariant::array_sizes;
+  std::uint32_t element = 0;
+
+  friend bool operator==(const Fault&, const Fault&) = default;
+};
+
+/// Names as in the enumerations.
+const char* name(Precondition p);
+const char* name(Invariant i);
+
+/// One line for people, such as "twin_is_mutual fails at half-edge 17".
+std::string describe(const Violation& v);
+std::string describe(const Fault& f);
+
+}  // namespace clers
+
+#endif

@@ -1,0 +1,43 @@
+// Theorem 11 as a procedure: what a surface is built of.
+#ifndef CLERS_TOPOLOGY_HANDLEBODY_H
+#define CLERS_TOPOLOGY_HANDLEBODY_H
+
+#include <array>
+#include <vector>
+
+#include "topology/surface.h"
+
+namespace clers {
+
+/// A handlebody decomposition (Theorem 4): triangles, and then the glues in the order that builds.
+struct Handlebody {
+  struct Triangle {
+    Face face;  ///< its id in the surface that was unbuilt; `gluings` speaks of its half-edges
+    std::array<Point, 3> points;
+  };
+  struct Gluing {
+    HandleCase kind = HandleCase::zip;
+    HalfEdge h0, h1;
+  };
+
+  std::vector<Triangle> triangles;
+  std::vector<Gluing> gluings;
+
+  /// How many operators of each kind; their Λ is the characteristic of what they build.
+  OperatorCounts counts() const;
+};
+
+/// Unbuilds a surface down to nothing as the proof of Theorem 11 does: unglue of every interior
+/// edge, in the order of half-edges, then destroy of every face. The reverse of what it did is
+/// returned. The cost is that of the operators, O(F log F) while cuts that may separate fall on
+/// genus 0.
+Handlebody unbuild(Surface& surface);
+
+/// Builds what `unbuild` unbuilt, by create and glue: a surface equivalent to it, on the same
+/// points. Errors: the first precondition that does not hold, if the handlebody is not from
+/// unbuild.
+Result<Surface, Violation> build(const Handlebody& handlebody);
+
+}  // namespace clers
+
+#endif

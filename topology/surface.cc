@@ -1,0 +1,135 @@
+// Elements of a surface: ids, room for them, create and destroy.
+#include "topology/surface.h"
+
+namespace clers {
+
+void Surface::reserve_faces(std::uint32_t count) {
+  faces_.reserve(count);
+  const std::uint32_t growth = faces_.growth(count);
+  reserve_more(org_, 3 * std::size_t{growth});
+  reserve_more(twin_, 3 * std::size_t{growth});
+  reserve_more(component_, growth);
+  reserve_more(scratch_, growth);
+  rings_.reserve(org_.capacity());
+}
+
+void Surface::reserve_vertices(std::uint32_t count) {
+  vertices_.reserve(count);
+  const std::uint32_t growth = vertices_.growth(count);
+  reserve_more(star_, growth);
+  reserve_more(corners_, growth);
+  reserve_more(point_, growth);
+}
+
+void Surface::reserve_curves(std::uint32_t count) {
+  curves_.reserve(count);
+  reserve_more(ring_, curves_.growth(count));
+}
+
+void Surface::reserve_components(std::uint32_t count) {
+  components_.reserve(count);
+  reserve_more(counts_, components_.growth(count));
+}
+
+Face Surface::new_face() {
+  const Face f = faces_.take();
+  if (f.index() == component_.size()) {
+    org_.resize(org_.size() + 3);
+    twin_.resize(twin_.size() + 3);
+    rings_.resize(org_.size());
+    component_.emplace_back();
+    scratch_.emplace_back();
+  }
+  return f;
+}
+
+Vertex Surface::new_vertex(HalfEdge star, std::uint32_t corners, Point p) {
+  const Vertex v = vertices_.take();
+  if (v.index() == star_.size()) {
+    star_.emplace_back();
+    corners_.emplace_back();
+    point_.emplace_back();
+  }
+  star_[v.index()] = star;
+  corners_[v.index()] = corners;
+  point_[v.index()] = p;
+  return v;
+}
+
+Component Surface::new_component() {
+  const Component k = components_.take();
+  if (k.index() == counts_.size()) counts_.emplace_back();
+  return k;
+}
+
+void Surface::free_vertex(Vertex v) {
+  star_[v.index()] = HalfEdge();
+  corners_[v.index()] = 0;
+  point_[v.index()] = Point();
+  vertices_.give(v);
+}
+
+void Surface::free_curve(Curve c) {
+  ring_[c.index()] = HalfEdge();
+  curves_.give(c);
+}
+
+void Surface::free_component(Component k) {
+  counts_[k.index()] = Characteristic{};
+  components_.give(k);
+}
+
+void Surface::name_curve(HalfEdge tree, Curve c) {
+  if (c.index() == ring_.size()) ring_.emplace_back();
+  ring_[c.index()] = tree;
+  rings_.set_curve(tree, c);
+}
+
+Result<Face, Violation> Surface::create(Point p0, Point p1, Point p2) {
+  if (faces_.growth(1) != 0 && faces_.size() == max_faces)
+    return Failure{Violation{Precondition::ids_left, max_faces}};
+  reserve_faces(1);
+  reserve_vertices(3);
+  reserve_curves(1);
+  reserve_components(1);
+
+  const Face f = new_face();
+  const Point points[3] = {p0, p1, p2};
+  HalfEdge ring;
+  for (unsigned i = 0; i < 3; ++i) {
+    const HalfEdge h = half_edge(f, i);
+    org_[h.index()] = new_vertex(h, 1, points[i]);
+    ring = rings_.join(ring, rings_.single(h));
+  }
+  new_curve(ring);
+
+  const Component k = new_component();
+  component_[f.index()] = k;
+  counts_[k.index()] = effect_of_create;
+  total_ += effect_of_create;
+  return f;
+}
+
+Result<std::array<Point, 3>, Violation> Surface::destroy(Face f) {
+  if (!is_live(f)) return Failure{Violation{Precondition::live_face, f.index()}};
+  for (HalfEdge h : star(f))
+    if (!is_boundary(h)) return Failure{Violation{Precondition::all_edges_on_boundary, f.index()}};
+
+  std::array<Point, 3> points;
+  free_curve(curve(half_edge(f, 0)));
+  // Backwards, so that a create next gives every corner the same vertex again.
+  for (unsigned i = 3; i-- > 0;) {
+    const HalfEdge h = half_edge(f, i);
+    points[i] = point(org(h));
+    free_vertex(org(h));
+    org_[h.index()] = Vertex();
+    rings_.clear(h);
+  }
+  free_component(component(f));
+  component_[f.index()] = Component();
+  faces_.give(f);
+  total_ -= effect_of_create;
+  return points;
+}
+
+}  // namespace clers

@@ -1,0 +1,300 @@
+// A triangulated oriented surface with boundary, changed only by operators that keep it one.
+#ifndef CLERS_TOPOLOGY_SURFACE_H
+#define CLERS_TOPOLOGY_SURFACE_H
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "topology/characteristic.h"
+#include "topology/circulator.h"
+#include "topology/errors.h"
+#include "topology/id_pool.h"
+#include "topology/ids.h"
+#include "topology/result.h"
+#include "topology/ring.h"
+
+namespace clers {
+
+/// An oriented 2-manifold with boundary made of triangles, as the paper's handle-edge structure
+/// (Topological mesh operators, §6 and Appendix A) by index.
+///
+///                 c
+///                / \                   The half-edge 3f+i runs from corner i to corner i+1 of the
+///       3f+2   /     \   3f+1          face f, which is on its left; lnext and lprev (ids.h) go
+///            /    f    \               round the face. Its twin is the other side of its edge, or
+///           a --------- b              null: then the edge is on the boundary and its half-edge
+///               3f+0                   is on a boundary curve, which runs the same way.
+///
+/// A surface is any set of triangles glued along edges, not only a simplicial complex: two
+/// triangles may share all three edges, two edges both ends, an edge may begin and end at one
+/// vertex, a triangle be glued to itself, a boundary curve have one edge or two. Every vertex has
+/// one fan of corners.
+///
+/// A vertex carries a point (Appendix A): what its copies share after a cut. Points are the
+/// caller's numbers; the surface never looks at them.
+///
+/// Ids of faces, vertices, curves and components are reused, the last one freed first. An operator
+/// keeps every id that its documentation does not speak of, and always the order of corners.
+///
+/// Queries need live arguments (`is_live`); operators check theirs and refuse with a Violation.
+/// When memory runs out an operator throws std::bad_alloc before it has changed anything.
+///
+/// F, B and n stand for the numbers of faces, of boundary edges, and of edges of the curves at
+/// hand.
+class Surface {
+ public:
+  // Elements ----------------------------------------------------------------------------------
+
+  bool is_live(Face f) const { return f.index() < faces_.size() && bool(component_[f.index()]); }
+  bool is_live(HalfEdge h) const { return h.index() < org_.size() && is_live(clers::left(h)); }
+  bool is_live(Vertex v) const { return v.index() < star_.size() && bool(star_[v.index()]); }
+  bool is_live(Curve c) const { return c.index() < curves_.size() && bool(ring_[c.index()]); }
+  bool is_live(Component k) const {
+    return k.index() < components_.size() && counts_[k.index()].s != 0;
+  }
+
+  /// The live ones in the order of ids; O(ids ever used together).
+  LiveIds<Surface, Face> faces() const { return {*this, faces_.size()}; }
+  LiveIds<Surface, Vertex> vertices() const { return {*this, vertices_.size()}; }
+  LiveIds<Surface, Curve> curves() const { return {*this, curves_.size()}; }
+  LiveIds<Surface, Component> components() const { return {*this, components_.size()}; }
+
+  /// One more than the largest id used so far: the size of arrays indexed by that id.
+  std::uint32_t face_limit() const { return faces_.size(); }
+  std::uint32_t half_edge_limit() const { return 3 * faces_.size(); }
+  std::uint32_t vertex_limit() const { return vertices_.size(); }
+
+  // Queries (§6.1); left(h), lnext(h) and lprev(h) are functions of ids.h. O(1) unless said -----
+
+  Vertex org(HalfEdge h) const { return org_[h.index()]; }
+  Vertex dest(HalfEdge h) const { return org(lnext(h)); }
+  /// The other side of the edge, null on the boundary.
+  HalfEdge sym(HalfEdge h) const { return twin_[h.index()]; }
+
+  bool is_boundary(HalfEdge h) const { return !sym(h); }
+  bool is_boundary(Vertex v) const { return is_boundary(star_[v.index()]); }
+  /// Has the face an edge on the boundary?
+  bool is_boundary(Face f) const {
+    return is_boundary(half_edge(f, 0)) || is_boundary(half_edge(f, 1)) ||
+           is_boundary(half_edge(f, 2));
+  }
+
+  /// Edge ends at the vertex: a loop edge counts twice.
+  std::uint32_t degree(Vertex v) const { return corners_[v.index()] + (is_boundary(v) ? 1u : 0u); }
+  /// Corners of triangles at the vertex.
+  std::uint32_t corner_count(Vertex v) const { return corners_[v.index()]; }
+  Point point(Vertex v) const { return point_[v.index()]; }
+  /// A half-edge that leaves the vertex: of a boundary vertex the one on the boundary, first of its
+  /// fan counterclockwise.
+  HalfEdge star_half_edge(Vertex v) const { return star_[v.index()]; }
+
+  /// The half-edge after / before a boundary half-edge on its curve. Before: O(log n).
+  HalfEdge boundary_next(HalfEdge h) const { return star_[dest(h).index()]; }
+  HalfEdge boundary_prev(HalfEdge h) const { return rings_.prev(h); }
+  /// The curve of a boundary half-edge. O(log n).
+  Curve curve(HalfEdge h) const { return rings_.curve(rings_.root(h)); }
+  /// Are two boundary half-edges on one curve? O(log n).
+  bool same_boundary(HalfEdge a, HalfEdge b) const { return rings_.root(a) == rings_.root(b); }
+  /// Edges of a curve.
+  std::uint32_t length(Curve c) const { return rings_.size(ring_[c.index()]); }
+  /// Some half-edge on a curve.
+  HalfEdge on_curve(Curve c) const { return ring_[c.index()]; }
+
+  Component component(Face f) const { return component_[f.index()]; }
+
+  /// The six counts, exact at all times, of the surface and of one component.
+  const Characteristic& characteristic() const { return total_; }
+  const Characteristic& characteristic(Component k) const { return counts_[k.index()]; }
+  std::int64_t genus() const { return total_.g; }
+
+  // Circulators: half-edges, counterclockwise, without allocation (§2.1, §6.1). A live surface of
+  // their own is their precondition; an operator ends their life ------------------------------
+
+  /// One half-edge leaving v for each corner of v: left() of it is the face.
+  auto fan(Vertex v) const {
+    return Circulator<AroundVertex>(*this, star_[v.index()], corner_count(v));
+  }
+  /// The edges of v's star, degree(v) of them, each by a half-edge that leaves v; but the last one
+  /// of a boundary vertex arrives at v, having no side that leaves.
+  auto star(Vertex v) const { return Circulator<AroundVertex>(*this, star_[v.index()], degree(v)); }
+  /// The edges of v's link, those opposite v: a closed curve, or a path if v is on the boundary.
+  auto link(Vertex v) const {
+    return Circulator<AlongLink>(*this, lnext(star_[v.index()]), corner_count(v));
+  }
+  /// The edge's sides: left() of them are the one or two faces of its star.
+  auto star(HalfEdge h) const { return Circulator<AcrossEdge>(*this, h, is_boundary(h) ? 1 : 2); }
+  /// The edge's link, one or two vertices: the origins of these.
+  auto link(HalfEdge h) const {
+    return Circulator<OppositeEdge>(*this, lprev(h), is_boundary(h) ? 1 : 2);
+  }
+  /// The three sides of f, from corner 0.
+  auto star(Face f) const { return Circulator<AroundFace>(*this, half_edge(f, 0), 3); }
+  /// Nothing: no simplex of a surface is joined to a whole triangle.
+  auto link(Face f) const { return Circulator<AroundFace>(*this, half_edge(f, 0), 0); }
+  /// Along a boundary curve, all of it, from h or from some half-edge.
+  auto boundary(HalfEdge h) const { return Circulator<AlongBoundary>(*this, h, length(curve(h))); }
+  auto boundary(Curve c) const { return Circulator<AlongBoundary>(*this, on_curve(c), length(c)); }
+
+  // Handle operators (§5.1, §6.2) -----------------------------------------------------------------
+
+  /// Type 0: a new component of one triangle with three new vertices on these points (corner i on
+  /// p_i; they need not differ).
+  ///
+  /// Precondition: `ids_left`. Effect on (v,e,f,b,g,s): (3,3,1,1,0,1). Inverse: destroy.
+  /// Cost: O(1), amortised over the growth of the arrays. All ids stay valid.
+  Result<Face, Violation> create(Point p0, Point p1, Point p2);
+
+  /// Undoes create: removes a component of one triangle with all its edges on the boundary, and
+  /// returns the points of its corners.
+  ///
+  /// Preconditions: `live_face`, `all_edges_on_boundary` (so the face is alone).
+  /// Effect: (-3,-3,-1,-1,0,-1). Inverse: create on the points returned, which gives the face and
+  /// vertices the same ids when it comes next. Cost: O(1).
+  /// The ids of the face, its vertices, curve and component are freed.
+  Result<std::array<Point, 3>, Violation> destroy(Face f);
+
+  /// Identifies two boundary edges, the origin of each with the destination of the other, and says
+  /// which handle this attached:
+  ///
+  ///     ---> u --h0--> w --->               ---> u --->
+  ///          :         :            or as          |          : h0 and h1 now are twins,
+  ///     <--- y <--h1-- x <---               <--- w <---       : u = y, w = x
+  ///
+  /// The case follows from how h0 and h1 lie on the boundary curves, never from the vertices they
+  /// share: those of two edges may coincide in every case.
+  ///
+  ///   one curve   h0, h1 are all of it               close            (0,-1,0,-1,0,0)     type 2
+  ///               neighbours, more edges remain      zip              (-1,-1,0,0,0,0)
+  ///               else                               split_curve      (-2,-1,0,+1,0,0)    type 1b
+  ///   two curves  of two components                  join_components  (-2,-1,0,-1,0,-1)   type 1a
+  ///               of one component                   join_curves      (-2,-1,0,-1,+1,0)   type 1c
+  ///   each a curve of one edge, of two components    join_components_at_loops (-1,-1,0,-2,0,-1)
+  ///                             of one component     join_curves_at_loops     (-1,-1,0,-2,+1,0)
+  ///
+  /// Preconditions: `live_half_edge`, `boundary_edge`, `two_half_edges`.
+  /// Inverse: unglue(h0), up to vertex ids and to the points of h1's ends.
+  /// Cost: O(log n) for the curves, plus the smaller of any two fans of corners that meet, plus the
+  /// faces of the smaller component in join_components.
+  /// Ids: all of faces and half-edges stay. Of vertices that merge the one with most corners stays
+  /// (h0's if equal), and carries the point of h0's end; a loop edge's only vertex counts as
+  /// origin. Curves: joined and zipped ones keep the id of h0's; of a split one the part with
+  /// boundary_next(h0) is new. Components: the one with more faces stays (h0's if equal).
+  Result<HandleCase, Violation> glue(HalfEdge h0, HalfEdge h1);
+
+  /// Cuts an interior edge into two boundary edges, and says which case of glue this undid.
+  ///
+  ///   no end on the boundary   two ends                           close
+  ///                            one, of a loop edge                one of the .._at_loops
+  ///   one end on the boundary                                     zip
+  ///   both ends                on two curves                      split_curve
+  ///                            on one curve                       join_components or join_curves
+  ///
+  /// The effect is the negative of glue's. Preconditions: `live_half_edge`, `interior_edge`.
+  /// Inverse: glue(h, sym(h)).
+  /// Cost: O(log n) for the curves plus the smaller of the fans a vertex is cut into (all but the
+  /// largest of three). Where the cut may separate: nothing to decide while the component's genus
+  /// is 0 (Jordan), else a search from both sides at once that ends when they meet (a handle was
+  /// cut) or one is exhausted; the smaller part is searched and relabelled either way. Ids: faces
+  /// and half-edges stay. The largest fan keeps the vertex's id (the other fans' vertices are new,
+  /// on the same point), the larger part the component's. Curves: a lengthened or joined one keeps
+  /// the id, with the curve at org(h) first; of a split one the part with h keeps it.
+  Result<HandleCase, Violation> unglue(HalfEdge h);
+
+  // Whole surfaces --------------------------------------------------------------------------------
+
+  /// The surface with these arrays: org and twin by half-edge, points by vertex (empty: vertex i is
+  /// on point i). A face whose three origins are null, and a vertex without corners, are free ids.
+  /// O(F + B log B).
+  ///
+  /// Errors: the first invariant that the arrays break, of array_sizes, origin_is_live,
+  /// twin_in_range, twin_is_mutual, twin_is_opposite, one_fan; and its element.
+  static Result<Surface, Fault> from_twins(std::span<const Vertex> org,
+                                           std::span<const HalfEdge> twin,
+                                           std::uint32_t vertex_count,
+                                           std::span<const Point> points = {});
+
+  /// The arrays from_twins takes, null at dead faces.
+  std::span<const Vertex> origins() const { return org_; }
+  std::span<const HalfEdge> twins() const { return twin_; }
+  /// Of all vertices below vertex_limit(); null at dead ones.
+  std::span<const Point> points() const { return point_; }
+
+ private:
+  friend struct SurfacePeer;  // corrupts arrays, in tests
+  friend class Validator;     // reads them as they are
+
+  struct AroundVertex {
+    static HalfEdge after(const Surface& s, HalfEdge h) {
+      const HalfEdge side = lprev(h), other = s.sym(side);
+      return other ? other : side;
+    }
+  };
+  struct AlongLink {
+    static HalfEdge after(const Surface& s, HalfEdge h) { return lnext(s.sym(lnext(h))); }
+  };
+  struct AcrossEdge {
+    static HalfEdge after(const Surface& s, HalfEdge h) { return s.sym(h); }
+  };
+  struct OppositeEdge {
+    static HalfEdge after(const Surface& s, HalfEdge h) { return lprev(s.sym(lnext(h))); }
+  };
+  struct AroundFace {
+    static HalfEdge after(const Surface&, HalfEdge h) { return lnext(h); }
+  };
+  struct AlongBoundary {
+    static HalfEdge after(const Surface& s, HalfEdge h) { return s.boundary_next(h); }
+  };
+
+  // Room for what an operator may make, so that nothing fails half-way.
+  void reserve_faces(std::uint32_t count);
+  void reserve_vertices(std::uint32_t count);
+  void reserve_curves(std::uint32_t count);
+  void reserve_components(std::uint32_t count);
+
+  Face new_face();
+  Vertex new_vertex(HalfEdge star, std::uint32_t corners, Point p);
+  void new_curve(HalfEdge tree) { name_curve(tree, curves_.take()); }
+  Component new_component();
+  void free_vertex(Vertex v);
+  void free_curve(Curve c);
+  void free_component(Component k);
+
+  void name_curve(HalfEdge tree, Curve c);
+  HandleCase classify(HalfEdge h0, HalfEdge h1) const;
+  Vertex merge_fans(std::span<const HalfEdge> starts);
+  void relabel_fan(HalfEdge start, Vertex v);
+  void split_fans(std::span<const HalfEdge> starts, HalfEdge cut);
+  void splice_for_glue(HalfEdge h0, HalfEdge h1);
+  void relabel_component(Face start, Component k);
+  bool separate(HalfEdge h, HalfEdge t, Component whole);
+  Characteristic count(std::span<const Face> part) const;
+  void find_components();
+
+  // By half-edge.
+  std::vector<Vertex> org_;
+  std::vector<HalfEdge> twin_;  // null: boundary
+  Rings rings_;                 // the boundary curves
+  // By face.
+  std::vector<Component> component_;  // null: dead
+  std::vector<Face> scratch_;         // queues of searches
+  // By vertex.
+  std::vector<HalfEdge> star_;  // null: dead
+  std::vector<std::uint32_t> corners_;
+  std::vector<Point> point_;
+  // By curve.
+  std::vector<HalfEdge> ring_;  // root of its tree; null: dead
+  // By component.
+  std::vector<Characteristic> counts_;  // s is 1; 0: dead
+
+  IdPool<Face> faces_;
+  IdPool<Vertex> vertices_;
+  IdPool<Curve> curves_;
+  IdPool<Component> components_;
+  Characteristic total_;
+};
+
+}  // namespace clers
+
+#endif
