@@ -1,0 +1,41 @@
+// The commands of the program, after the command line is understood.
+#ifndef CLERS_CODEC_CLI_COMMANDS_H
+#define CLERS_CODEC_CLI_COMMANDS_H
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "codec/cli/outcome.h"
+#include "codec/decode.h"
+#include "codec/encode.h"
+#include "codec/io/io.h"
+
+namespace clers::cli {
+
+struct Options {
+  std::vector<std::string> inputs;
+  std::string output;              ///< of encode and decode; ends in '/' or is a directory: into it
+  std::optional<io::Format> from;  ///< of mesh files read
+  std::optional<io::Format> to;    ///< of mesh files written
+  bool text = false;               ///< decode writes text where the format offers both
+  bool force = false;
+  bool quiet = false;
+  bool json = false;
+  int level = default_level;
+  Limits limits;
+};
+
+/// Each prints its own errors and returns the exit status.
+Exit encode(const Options& options);
+Exit decode(const Options& options);
+Exit info(const Options& options);
+Exit verify(const Options& options);  ///< inputs: the original, the .clers file
+Exit check(const Options& options);
+
+/// One line on stderr, after the program's name.
+void complain(const std::string& line);
+
+}  // namespace clers::cli
+
+#endif

@@ -1,0 +1,194 @@
+// The command line of clers. The only file that knows the argument parser.
+#include <signal.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+#include "codec/cli/commands.h"
+#include "codec/cli/files.h"
+#include "codec/version.h"
+
+namespace clers::cli {
+namespace {
+
+constexpr char exit_codes[] =
+    "Exit status: 0 done; 1 verify found a difference; 2 usage; 3 an input cannot be read\n"
+    "or is not accepted; 4 a limit was hit; 5 writing failed.";
+
+/// A number of bytes, plain or with K, M, G or T (powers of 1024).
+bool parse_size(const std::string& text, std::uint64_t& size) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
+  const std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
+  const std::size_t power = unit.empty() ? 0 : std::string_view("KMGT").find(unit[0]) + 1;
+  if (error != std::errc() || unit.size() > 1 || (!unit.empty() && power == 0) || power > 4 ||
+      size > ~std::uint64_t{0} >> (10 * power))
+    return false;
+  size <<= 10 * power;
+  return true;
+}
+
+class CommandLine {
+ public:
+  CommandLine() {
+    app_.require_subcommand(0, 1);  // none: run() says so better
+    app_.set_version_flag("--version", std::string("clers ") + version);
+    app_.footer(std::string("Examples:\n"
+                            "  clers encode bunny.ply -o bunny.clers\n"
+                            "  clers decode bunny.clers -o bunny.obj\n"
+                            "  clers verify bunny.ply bunny.clers\n"
+                            "  clers encode scans/*.ply -o packed/\n"
+                            "`clers COMMAND --help` has more. ") +
+                "A file `-` is standard input or output.\n\n" + exit_codes);
+
+    CLI::App& encode =
+        add("encode", cli::encode, "Compress mesh files",
+            "Examples:\n"
+            "  clers encode bunny.ply -o bunny.clers\n"
+            "  clers encode --level 9 a.obj b.off c.stl -o packed/\n"
+            "  curl -s https://example.org/m.ply | clers encode --from ply - -o m.clers");
+    inputs(encode, "IN", "mesh files: ply, obj, off, stl");
+    output(encode, "the .clers file, or a directory for several");
+    from(encode);
+    encode.add_option("--level", options_.level, "1 is fastest, 9 is smallest")
+        ->check(CLI::Range(min_level, max_level))
+        ->option_text("1..9 (default 5)");
+    force(encode);
+    quiet(encode);
+
+    CLI::App& decode = add("decode", cli::decode, "Restore mesh files",
+                           "Examples:\n"
+                           "  clers decode bunny.clers -o bunny.ply\n"
+                           "  clers decode packed/*.clers --to obj -o restored/\n"
+                           "  clers decode bunny.clers --to off -o - | head");
+    inputs(decode, "IN", ".clers files");
+    output(decode, "the mesh file, or a directory for several");
+    format(decode, "--to", options_.to, "format of the output; default: by its name");
+    decode.add_flag("--text", options_.text, "text instead of binary, for ply and stl");
+    force(decode);
+    limits(decode);
+    quiet(decode);
+
+    CLI::App& info = add("info", cli::info, "Describe a .clers file: its meshes and their cost",
+                         "Examples:\n"
+                         "  clers info bunny.clers\n"
+                         "  clers info --json bunny.clers | jq .connectivity_bits_per_triangle");
+    one_input(info, "IN", "a .clers file");
+    json(info);
+
+    CLI::App& verify =
+        add("verify", cli::verify, "Decode a file and compare it with its original",
+            "Faces and vertices may be in another order; all else must be equal bit\n"
+            "for bit. Exit status 1 when it is not, or could not be shown to be.\n"
+            "Examples:\n"
+            "  clers verify bunny.ply bunny.clers");
+    verify.add_option("ORIGINAL", original_, "the mesh file that was encoded")
+        ->required()
+        ->type_name("FILE");
+    one_input(verify, "IN", "the .clers file");
+    from(verify);
+    limits(verify);
+    quiet(verify);
+
+    CLI::App& check = add("check", cli::check, "Measure a mesh file: its shape and its defects",
+                          "Examples:\n"
+                          "  clers check bunny.ply\n"
+                          "  clers check --json bunny.ply | jq .genus");
+    one_input(check, "IN", "a mesh file: ply, obj, off, stl");
+    from(check);
+    json(check);
+    quiet(check);
+  }
+
+  Exit run(int argc, char** argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::CallForVersion& asked) {
+      return say(std::string(asked.what()) + "\n");
+    } catch (const CLI::Success&) {  // --help, of the program or of a command
+      return say(app_.help());
+    } catch (const CLI::ParseError& error) {
+      const auto commands = app_.get_subcommands();
+      complain(std::string(error.what()) + "; see clers " +
+               (commands.empty() ? "" : commands.front()->get_name() + " ") + "--help");
+      return Exit::usage;
+    }
+    if (command_ == nullptr) {
+      complain("a command is needed: encode, decode, info, verify or check; see clers --help");
+      return Exit::usage;
+    }
+    options_.inputs = many_;
+    if (!original_.empty()) options_.inputs.push_back(original_);
+    if (!one_.empty()) options_.inputs.push_back(one_);
+    return command_(options_);
+  }
+
+ private:
+  using Command = Exit (*)(const Options&);
+
+  CLI::App& add(const char* name, Command command, const char* what, const char* examples) {
+    CLI::App* sub = app_.add_subcommand(name, what);
+    sub->footer(examples);
+    sub->callback([this, command] { command_ = command; });
+    return *sub;
+  }
+  void inputs(CLI::App& sub, const char* name, const char* what) {
+    sub.add_option(name, many_, what)->required()->type_name("FILE");
+  }
+  void one_input(CLI::App& sub, const char* name, const char* what) {
+    sub.add_option(name, one_, what)->required()->type_name("FILE");
+  }
+  void output(CLI::App& sub, const char* what) {
+    sub.add_option("-o,--output", options_.output, what)->required()->type_name("FILE");
+  }
+  void from(CLI::App& sub) {
+    format(sub, "--from", options_.from, "format of the input; default: by its name");
+  }
+  void format(CLI::App& sub, const char* name, std::optional<io::Format>& target,
+              const char* what) {
+    sub.add_option(
+           name,
+           [&target](const std::vector<std::string>& values) {
+             target = io::format_of(values.back());
+             return target.has_value();
+           },
+           what)
+        ->type_name("ply|obj|off|stl");
+  }
+  void force(CLI::App& sub) { sub.add_flag("-f,--force", options_.force, "overwrite the output"); }
+  void quiet(CLI::App& sub) {
+    sub.add_flag("-q,--quiet", options_.quiet, "no notes, no progress; errors only");
+  }
+  void json(CLI::App& sub) { sub.add_flag("--json", options_.json, "JSON, for programs"); }
+  void limits(CLI::App& sub) {
+    sub.add_option(
+           "--max-memory",
+           [this](const std::vector<std::string>& values) {
+             return parse_size(values.back(), options_.limits.memory);
+           },
+           "what the decoded meshes may take")
+        ->type_name("SIZE");
+    sub.add_option("--max-vertices", options_.limits.vertices, "that a mesh may have");
+    sub.add_option("--max-faces", options_.limits.faces, "that a mesh may have");
+    sub.add_option("--max-meshes", options_.limits.meshes, "that a file may have");
+  }
+  Exit say(const std::string& text) {
+    const Outcome<Done> printed = print(text);
+    if (printed) return Exit::done;
+    complain(printed.error().line);
+    return printed.error().exit;
+  }
+
+  CLI::App app_{"Compresses meshes without losing a bit of them.", "clers"};
+  Options options_;
+  std::vector<std::string> many_;
+  std::string original_, one_;
+  Command command_ = nullptr;
+};
+
+}  // namespace
+}  // namespace clers::cli
+
+int main(int argc, char** argv) {
+  ::signal(SIGPIPE, SIG_IGN);  // a reader that leaves is a failed write, not a silent death
+  return static_cast<int>(clers::cli::CommandLine().run(argc, argv));
+}

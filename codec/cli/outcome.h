@@ -1,0 +1,46 @@
+// How a run of the program ends.
+#ifndef CLERS_CODEC_CLI_OUTCOME_H
+#define CLERS_CODEC_CLI_OUTCOME_H
+
+#include <string>
+
+#include "codec/error.h"
+
+namespace clers::cli {
+
+/// The program's exit status. Part of its interface.
+enum class Exit : int {
+  done = 0,
+  different = 1,  ///< verify found a difference
+  usage = 2,      ///< the command line is wrong, or an output exists and -f is not given
+  input = 3,      ///< an input cannot be read or is not accepted
+  limit = 4,      ///< a limit was hit, memory included
+  output = 5,     ///< writing failed
+};
+
+/// Why a run stops: the status and one line for stderr, without the program's name.
+struct Stop {
+  Exit exit = Exit::input;
+  std::string line;
+};
+
+template <class T>
+using Outcome = Result<T, Stop>;
+
+inline Failure<Stop> stop(Exit exit, std::string line) {
+  return {Stop{exit, std::move(line)}};
+}
+
+/// An error of the library about a file.
+inline Failure<Stop> stop(const std::string& file, const Error& error) {
+  Exit exit = Exit::input;
+  if (error.code == ErrorCode::limit || error.code == ErrorCode::out_of_memory ||
+      error.code == ErrorCode::too_large)
+    exit = Exit::limit;
+  if (error.code == ErrorCode::io_failed) exit = Exit::output;
+  return stop(exit, file + ": " + describe(error));
+}
+
+}  // namespace clers::cli
+
+#endif

@@ -1,0 +1,258 @@
+#!/bin/bash
+# Tests the program clers as its users meet it: outputs, exit codes, messages, and what is left behind.
+# usage: cli_test.sh PROGRAM
+set -u
+clers=$(realpath "$1")
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+export LC_ALL=C TERM=xterm
+passed=0 failed=0
+
+# check NAME CONDITION...: counts one case.
+check() {
+  local name=$1
+  shift
+  if "$@"; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+    echo "FAILED: $name"
+    echo "  status $status; stderr: $(head -c 500 err)"
+  fi
+}
+# run ARGUMENTS...: runs the program; sets $status, and the files out and err.
+run() {
+  "$clers" "$@" >out 2>err </dev/null
+  status=$?
+}
+# ends NAME STATUS [PATTERN]: the last run ended so, with one line on stderr that matches, or none.
+ends() {
+  check "$1: status $2" test "$status" -eq "$2"
+  if [ $# -gt 2 ]; then
+    check "$1: says $3" grep -qE "^clers: .*$3" err
+    check "$1: one line" test "$(wc -l <err)" -eq 1
+  else
+    check "$1: says nothing" test ! -s err
+  fi
+}
+no_leftovers() { check "$1: no temporary files" test -z "$(find "${2:-.}" -name '.clers-*')"; }
+
+# grid N: an open grid of 2 N^2 triangles as OBJ.
+grid() {
+  awk -v n="$1" 'BEGIN {
+    for (i = 0; i <= n; i++) for (j = 0; j <= n; j++) print "v", i, j, (i * 7 + j * 3) % 5 / 4
+    for (i = 0; i < n; i++) for (j = 0; j < n; j++) {
+      a = i * (n + 1) + j + 1; b = a + n + 1
+      print "f", a, b, b + 1; print "f", a, b + 1, a + 1
+    } }'
+}
+grid 10 >grid.obj
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n' >tetrahedron.obj
+
+# ---- There and back
+run encode grid.obj -o grid.clers; ends "encode" 0
+check "encode makes a smaller file" test "$(stat -c %s grid.clers)" -lt "$(stat -c %s grid.obj)"
+run verify grid.obj grid.clers; ends "verify" 0
+check "verify says so" grep -q "same as grid.obj" out
+run verify -q grid.obj grid.clers; ends "verify -q" 0
+check "verify -q is silent" test ! -s out
+for format in ply obj off; do
+  run decode grid.clers -o back.$format
+  check "decode to $format" test "$status" -eq 0
+  run encode -q back.$format -o again.clers -f; ends "encode $format" 0
+  run verify -q grid.obj again.clers; ends "verify through $format" 0
+done
+run decode -q grid.clers -o back.stl; ends "decode to stl" 0
+run decode -q grid.clers -o text.ply --text; ends "decode --text" 0
+check "decode --text writes text" grep -q "^format ascii 1.0" text.ply
+for level in 1 9; do
+  run encode grid.obj --level $level -o level.clers -f; ends "encode --level $level" 0
+  run verify grid.obj level.clers; ends "verify level $level" 0
+done
+
+# ---- Standard input and output
+"$clers" encode --from obj - -o - <grid.obj >piped.clers 2>err; status=$?; ends "encode - -o -" 0
+check "encode - gives the same bytes" cmp -s piped.clers grid.clers
+"$clers" decode - --to obj -o - <grid.clers >out 2>err; status=$?
+check "decode - -o -" test "$status" -eq 0
+check "decode -o - writes a mesh" grep -q "^f " out
+"$clers" verify --from obj - grid.clers <grid.obj >out 2>err; status=$?; ends "verify - FILE" 0
+"$clers" info - <grid.clers >out 2>err; status=$?; ends "info -" 0
+"$clers" check --from obj - <grid.obj >out 2>err; status=$?; ends "check -" 0
+run encode - -o x.clers; ends "encode - without --from" 2 "--from"
+run decode grid.clers -o -; ends "decode -o - without --to" 2 "--to"
+cp grid.obj misnamed.txt
+run encode misnamed.txt -o x.clers; ends "unknown extension" 2 "misnamed.txt: .*--from"
+run encode --from obj misnamed.txt -o misnamed.clers; ends "--from overrules the name" 0
+printf x | "$clers" verify --from obj - - >out 2>err; status=$?; ends "verify - -" 2 "standard input"
+
+# ---- Several inputs
+mkdir in
+cp grid.obj in/a.obj; cp tetrahedron.obj in/b.obj
+run encode in/a.obj in/b.obj -o packed/; ends "several inputs" 0
+check "several outputs" test -f packed/a.clers -a -f packed/b.clers
+run decode packed/a.clers packed/b.clers --to off -o restored/
+check "decode several" test "$status" -eq 0 -a -f restored/a.off -a -f restored/b.off
+run decode packed/a.clers packed/b.clers -o restored/; ends "a directory without --to" 2 "--to"
+run encode in/a.obj in/b.obj -o one.clers; ends "several inputs into one file" 2 "directory"
+mkdir other; cp grid.obj other/a.obj
+run encode in/a.obj other/a.obj -o clash/; ends "two inputs of one name" 2 "would both become"
+check "nothing is done then" test ! -e clash
+rm -rf packed
+printf 'v 0 0\n' >in/bad.obj
+run encode in/a.obj in/bad.obj in/b.obj -o packed/; ends "one of several fails" 3 "in/bad.obj: line 1"
+check "the others are done" test -f packed/a.clers -a -f packed/b.clers -a ! -e packed/bad.clers
+
+# ---- Existing outputs
+cp grid.clers old.clers
+run encode tetrahedron.obj -o old.clers; ends "an existing output" 2 "old.clers: exists"
+check "is left alone" cmp -s old.clers grid.clers
+chmod 640 old.clers
+run encode -f tetrahedron.obj -o old.clers; ends "-f" 0
+run verify tetrahedron.obj old.clers; ends "-f overwrites" 0
+check "-f keeps the permissions" test "$(stat -c %a old.clers)" = 640
+ln -s old.clers link.clers
+run encode -f grid.obj -o link.clers; ends "-f through a link" 0
+check "the link stays" test -L link.clers
+check "what it leads to is replaced" cmp -s old.clers grid.clers
+(umask 027; "$clers" encode grid.obj -o masked.clers)
+check "new files obey umask" test "$(stat -c %a masked.clers)" = 640
+
+# ---- Differences
+sed 's/^v 3 4 .*/v 3 4 0.3/' grid.obj >moved.obj
+run verify moved.obj grid.clers; ends "another position" 1 "grid.clers: differs: "
+run verify tetrahedron.obj grid.clers; ends "another mesh" 1 "differs: vertices: 4 and 121"
+sed 's/^f 1 12 13$/f 1 13 12/' grid.obj >turned.obj
+run verify turned.obj grid.clers; ends "a face turned over" 1 "differs"
+
+# ---- Usage
+run; ends "no command" 2 "a command is needed"
+run frobnicate; ends "an unknown command" 2 "frobnicate"
+run encode; ends "no input" 2 "IN is required"
+run encode grid.obj; ends "no output" 2 "--output is required"
+run encode --frobnicate grid.obj -o x; ends "an unknown option" 2 "--frobnicate"
+run encode --level 10 grid.obj -o x; ends "a level too high" 2 "--level"
+run decode --to gif grid.clers -o x; ends "an unknown format" 2 "--to = gif"
+run decode --max-memory 3X grid.clers -o x.obj; ends "no size" 2 "3X"
+for command in "" encode decode info verify check; do
+  run $command --help; ends "clers $command --help" 0
+  check "clers $command --help has examples" grep -q "^  clers ${command:-encode} " out
+done
+run --version; ends "--version" 0
+check "--version" grep -qE '^clers [0-9]+\.[0-9]+\.[0-9]+$' out
+
+# ---- Inputs that are not accepted
+run encode missing.obj -o x.clers; ends "a missing input" 3 "missing.obj: No such file"
+run decode missing.clers -o x.obj; ends "a missing .clers file" 3 "missing.clers: No such file"
+run encode in -o x.clers --from obj; ends "a directory as input" 3 "in: Is a directory"
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\n\nf 1 2 9\n' >range.obj
+run encode range.obj -o x2.clers; ends "an index out of range" 3 "range.obj: line 5: "
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n' >fan.obj
+run encode fan.obj -o x2.clers; ends "a non-manifold edge" 3 "fan.obj: edge "
+run check --json fan.obj
+check "check counts it" grep -q '"nonmanifold_edges": 1,' out
+run decode grid.obj -o x.obj; ends "decode of a mesh file" 3 "grid.obj: byte 0"
+run info grid.obj; ends "info of a mesh file" 3 "clers check"
+for n in 0 3 20 60; do
+  head -c $n grid.clers >short.clers
+  run decode short.clers -o x.obj; ends "the first $n bytes" 3 "short.clers: "
+done
+{ cat grid.clers; printf x; } >long.clers
+run decode long.clers -o x.obj; ends "a byte too many" 3 "long.clers: byte "
+check "no failed run leaves an output" test ! -e x.obj -a ! -e x2.clers
+
+# ---- Limits
+run decode --max-faces 100 grid.clers -o x.obj; ends "--max-faces" 4 "grid.clers: "
+run decode --max-vertices 100 grid.clers -o x.obj; ends "--max-vertices" 4 "grid.clers: "
+run decode --max-memory 1K grid.clers -o x.obj; ends "--max-memory" 4 "grid.clers: "
+run decode --max-meshes 0 grid.clers -o x.obj; ends "--max-meshes" 4 "grid.clers: "
+run verify --max-faces 100 grid.obj grid.clers; ends "verify --max-faces" 4 "grid.clers: "
+run decode --max-faces 200 --max-vertices 121 --max-memory 1M grid.clers -o x.off; status_limits=$status
+check "limits that suffice" test "$status_limits" -eq 0
+grid 400 >big.obj
+(ulimit -v 40000; "$clers" encode big.obj -o x.clers2 >out 2>err); status=$?
+ends "out of memory" 4 "big.obj: not enough memory"
+
+# ---- Writing fails
+run encode grid.obj -o nowhere/x.clers; ends "a missing directory" 5 "nowhere/x.clers: No such file"
+run encode grid.obj -o grid.obj/; ends "a file as directory" 5 "grid.obj/"
+for command in "encode grid.obj -o /dev/full -f" "encode grid.obj -o -" "info grid.clers" "check grid.obj" \
+  "verify grid.obj grid.clers" "--help" "--version"; do
+  "$clers" $command >/dev/full 2>err </dev/null; status=$?
+  ends "a full device: $command" 5 "No space left"
+done
+"$clers" decode grid.clers --to obj -o - 2>err | true
+check "a reader that leaves" test "${PIPESTATUS[0]}" -eq 0 -o "$(grep -c 'Broken pipe' err)" -eq 1
+run encode big.obj -o big.clers
+"$clers" decode big.clers --to obj -o - 2>err | head -c 1 >/dev/null; status=${PIPESTATUS[0]}
+ends "a pipe closed early" 5 "standard output: Broken pipe"
+(ulimit -f 1; trap '' XFSZ; "$clers" encode -f big.obj -o old.clers >out 2>err); status=$?
+ends "a file too large" 5 "old.clers: File too large"
+check "leaves the old one" cmp -s old.clers grid.clers
+no_leftovers "a failed write"
+if [ "$(id -u)" -eq 0 ] && mkdir small && mount -t tmpfs -o size=64k tmpfs small 2>/dev/null; then
+  cp grid.clers small/old.clers
+  run encode -f big.obj -o small/old.clers; ends "a full disk" 5 "No space left"
+  check "leaves the old file" cmp -s small/old.clers grid.clers
+  run encode big.obj -o small/new.clers; ends "a full disk" 5 "No space left"
+  check "leaves no new file" test ! -e small/new.clers
+  no_leftovers "a full disk" small
+  umount small
+else
+  echo "not tested: a full disk (needs root and mount)"
+fi
+
+# ---- Killed in the middle
+mkdir killed
+cp grid.clers killed/old.clers
+for signal in KILL TERM INT; do
+  for delay in 0.01 0.05 0.1 0.15 0.2 0.25 0.3 0.4; do
+    "$clers" encode -f big.obj -o killed/old.clers >out 2>err </dev/null & pid=$!
+    sleep $delay
+    kill -$signal $pid 2>/dev/null
+    wait $pid 2>/dev/null; status=$?
+    check "SIG$signal after $delay s: the old file or the new one" \
+      eval 'cmp -s killed/old.clers grid.clers || cmp -s killed/old.clers big.clers'
+    cp grid.clers killed/old.clers
+  done
+done
+no_leftovers "killed" killed
+check "killed: nothing else" test "$(ls -A killed)" = old.clers
+
+# ---- The reports
+run info --json grid.clers; ends "info --json" 0
+for key in vertices faces triangles components boundary_curves genus nonmanifold_edges \
+  nonmanifold_vertices connectivity_bytes position_bytes attribute_bytes overhead_bytes total_bytes \
+  connectivity_bits_per_triangle clers; do
+  check "info --json has $key" grep -q "^  \"$key\": " out
+done
+number() { sed -n "s/^  \"$1\": \([0-9.]*\),\{0,1\}$/\1/p" out; }
+check "vertices" test "$(number vertices)" = 121
+check "faces" test "$(number faces)" = 200
+check "components" test "$(number components)" = 1
+check "boundary curves" test "$(number boundary_curves)" = 1
+check "genus" test "$(number genus)" = 0
+check "total_bytes is the file's size" test "$(number total_bytes)" = "$(stat -c %s grid.clers)"
+check "the bytes add up" test $(($(number connectivity_bytes) + $(number position_bytes) + \
+  $(number attribute_bytes) + $(number overhead_bytes))) = "$(number total_bytes)"
+run check --json grid.obj; ends "check --json" 0
+check "check --json agrees" test "$(number vertices) $(number triangles) $(number boundary_curves)" = "121 200 1"
+run check tetrahedron.obj; ends "check" 0
+check "check is readable" grep -qE "^  genus +0$" out
+
+# ---- Progress
+if command -v script >/dev/null; then
+  grid 1200 >huge.obj
+  script -qec "'$clers' encode huge.obj -o huge.clers -f" /dev/null >terminal </dev/null; status=$?
+  check "a terminal sees a bar" grep -q '\[#*\.*\] .*%.*huge.obj' terminal
+  check "that is erased at the end" eval 'tail -c 4 terminal | grep -q "\[K"'
+  script -qec "'$clers' encode -q huge.obj -o huge.clers -f" /dev/null >terminal </dev/null
+  check "-q shows none" test ! -s terminal
+  run encode huge.obj -o huge.clers -f; ends "a file sees none" 0
+else
+  echo "not tested: the progress bar (needs script)"
+fi
+
+echo "$passed passed, $failed failed"
+test $failed -eq 0
