@@ -1,0 +1,144 @@
+#include "codec/io/io.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "codec/io/formats.h"
+#include "codec/io/numbers.h"
+
+namespace clers::io {
+
+namespace {
+
+constexpr const char* domain_names[] = {"vertex", "corner", "face"};
+constexpr const char* scalar_names[scalar_count] = {
+    "int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64", "float32", "float64"};
+
+const char* name(Domain domain) {
+  return domain_names[static_cast<unsigned>(domain)];
+}
+
+// What every writer relies on.
+Expected<Done> check(const Mesh& mesh, std::size_t number) {
+  const auto inconsistent = [&](std::string what) {
+    return fail(ErrorCode::inconsistent_mesh, Place::mesh, number, std::move(what));
+  };
+  std::uint64_t corners = 0;
+  for (const std::uint32_t size : mesh.face_sizes) corners += size;
+  if (mesh.triangles_only() ? mesh.corners.size() % 3 != 0 : corners != mesh.corners.size())
+    return inconsistent("expected as many corners as the faces' sizes add up to");
+  if (mesh.vertex_count == 0xffffffffu)
+    return inconsistent("expected fewer than 2^32 - 1 vertices");
+  for (const std::uint32_t v : mesh.corners)
+    if (v >= mesh.vertex_count)
+      return inconsistent("expected vertex indices below " + std::to_string(mesh.vertex_count) +
+                          ", found " + std::to_string(v));
+  const std::size_t counts[] = {mesh.vertex_count, mesh.corners.size(), mesh.face_count()};
+  std::set<std::pair<Domain, std::string_view>> names;
+  for (const Attribute& a : mesh.attributes) {
+    if (static_cast<unsigned>(a.domain) > 2 || static_cast<unsigned>(a.scalar) >= scalar_count ||
+        a.components == 0)
+      return inconsistent("expected attribute " + quoted(a.name) +
+                          " to have a domain, a scalar and at least one component");
+    const std::size_t count = counts[static_cast<unsigned>(a.domain)];
+    if (a.data.size() != count * a.stride())
+      return inconsistent("expected " + label(a) + " to have " +
+                          std::to_string(count * a.stride()) + " bytes, found " +
+                          std::to_string(a.data.size()));
+    if (!names.insert({a.domain, a.name}).second)
+      return inconsistent("a second " + std::string(name(a.domain)) + " attribute " +
+                          quoted(a.name));
+  }
+  return Done{};
+}
+
+}  // namespace
+
+std::optional<Format> format_of(std::string_view name) {
+  std::string extension(name.substr(name.rfind('.') + 1));  // npos + 1 = 0: all of it
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == "ply") return Format::ply;
+  if (extension == "obj") return Format::obj;
+  if (extension == "off") return Format::off;
+  if (extension == "stl") return Format::stl;
+  return std::nullopt;
+}
+
+Expected<ReadResult> read(std::span<const std::byte> bytes, Format format) {
+  switch (format) {
+    case Format::ply:
+      return read_ply(as_text(bytes));
+    case Format::obj:
+      return read_obj(as_text(bytes));
+    case Format::off:
+      return read_off(as_text(bytes));
+    case Format::stl:
+      return read_stl(as_text(bytes));
+  }
+  return fail(ErrorCode::unsupported, "expected a known format");
+}
+
+Expected<WriteResult> write(std::span<const Mesh> meshes, Format format,
+                            std::optional<Encoding> encoding) {
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    if (Expected<Done> checked = check(meshes[i], i); !checked)
+      return Failure<Error>{checked.error()};
+  if (meshes.size() != 1 && format != Format::obj)
+    return fail(ErrorCode::unsupported,
+                "expected one mesh, which is what this format holds, found " +
+                    std::to_string(meshes.size()));
+  if (encoding == Encoding::binary && (format == Format::obj || format == Format::off))
+    return fail(ErrorCode::unsupported,
+                "expected text, the one encoding of this format written here");
+
+  Output out;
+  Notes notes;
+  Expected<Done> done = [&]() -> Expected<Done> {
+    switch (format) {
+      case Format::ply:
+        return write_ply(meshes[0], encoding.value_or(Encoding::binary), out, notes);
+      case Format::obj:
+        return write_obj(meshes, out, notes);
+      case Format::off:
+        return write_off(meshes[0], out, notes);
+      case Format::stl:
+        return write_stl(meshes[0], encoding.value_or(Encoding::binary), out, notes);
+    }
+    return fail(ErrorCode::unsupported, "expected a known format");
+  }();
+  if (!done) return Failure<Error>{done.error()};
+  return WriteResult{out.take(), std::move(notes)};
+}
+
+void set_face_sizes(Mesh& mesh, std::vector<std::uint32_t> sizes) {
+  const bool triangles = std::all_of(sizes.begin(), sizes.end(), [](auto n) { return n == 3; });
+  mesh.face_sizes = triangles ? std::vector<std::uint32_t>() : std::move(sizes);
+}
+
+const Attribute* find(const Mesh& mesh, std::string_view name, Domain domain) {
+  for (const Attribute& a : mesh.attributes)
+    if (a.domain == domain && a.name == name) return &a;
+  return nullptr;
+}
+
+std::string label(const Attribute& attribute) {
+  return std::string(name(attribute.domain)) + " attribute " + quoted(attribute.name) + " (" +
+         std::to_string(attribute.components) + " x " +
+         scalar_names[static_cast<unsigned>(attribute.scalar)] + ")";
+}
+
+void note_left_out(Notes& notes, const Attribute& attribute, std::string_view why) {
+  std::string line = label(attribute) + " was left out";
+  if (!why.empty()) line.append(": ").append(why);
+  notes.lines.push_back(std::move(line));
+}
+
+void note_lost_nans(Notes& notes, const Attribute& attribute) {
+  if (const std::size_t lost = count_lost_nans(attribute))
+    notes.lines.push_back(label(attribute) + ": the bits of " + counted(lost, "NaN", "NaNs") +
+                          " cannot be written as text and read back as those of a plain NaN");
+}
+
+}  // namespace clers::io

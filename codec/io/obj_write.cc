@@ -1,0 +1,152 @@
+#include <array>
+#include <cstring>
+
+#include "codec/io/formats.h"
+#include "codec/io/numbers.h"
+#include "codec/io/weld.h"
+
+namespace clers::io {
+
+namespace {
+
+bool is_float(const Attribute& a) {
+  return a.scalar == Scalar::float32 || a.scalar == Scalar::float64;
+}
+
+// What the corners of a mesh use of a kind of value, vt or vn.
+struct ByCorner {
+  std::string_view statement;
+  const Attribute* attribute = nullptr;
+  Welded welded = {};         // of a corner attribute: equal values are written once
+  std::uint64_t written = 0;  // in this file, by the meshes before
+
+  std::size_t count() const {
+    if (!attribute) return 0;
+    return attribute->domain == Domain::corner ? welded.first.size()
+                                               : attribute->data.size() / attribute->stride();
+  }
+  std::uint64_t index(std::size_t corner, std::uint32_t vertex) const {
+    return 1 + written + (attribute->domain == Domain::corner ? welded.number[corner] : vertex);
+  }
+};
+
+class Writer {
+ public:
+  Writer(Output& out, Notes& notes) : out_(out), notes_(notes) {}
+
+  Expected<Done> write(const Mesh& mesh, bool named) {
+    const Attribute* position = mesh.position();
+    if (mesh.vertex_count > 0 && (!position || position->components != 3))
+      return fail(ErrorCode::unsupported, "expected positions with 3 components");
+    const Attribute* color = find(mesh, "color", Domain::vertex);
+    if (color && (!is_float(*color) || (color->components != 3 && color->components != 4)))
+      color = nullptr;
+    texcoords_.attribute = by_corner(mesh, "texcoord", 1, 3);
+    normals_.attribute = by_corner(mesh, "normal", 3, 3);
+    for (const Attribute& a : mesh.attributes) {
+      if (&a == position || &a == color || &a == texcoords_.attribute || &a == normals_.attribute)
+        note_kept(a);
+      else
+        note_left_out(notes_, a);
+    }
+
+    if (named) out_ << "o " << one_line(mesh.name) << '\n';
+    for (std::size_t v = 0; v < mesh.vertex_count; ++v) {
+      out_ << 'v';
+      values(*position, v);
+      if (color) values(*color, v);
+      out_ << '\n';
+    }
+    for (ByCorner* kind : {&texcoords_, &normals_}) begin(*kind);
+    faces(mesh);
+    for (ByCorner* kind : {&texcoords_, &normals_}) kind->written += kind->count();
+    vertices_written_ += mesh.vertex_count;
+    return Done{};
+  }
+
+ private:
+  static const Attribute* by_corner(const Mesh& mesh, std::string_view name, unsigned least,
+                                    unsigned most) {
+    for (const Domain domain : {Domain::corner, Domain::vertex})
+      if (const Attribute* a = find(mesh, name, domain);
+          a && is_float(*a) && a->components >= least && a->components <= most)
+        return a;
+    return nullptr;
+  }
+
+  void note_kept(const Attribute& a) {
+    note_lost_nans(notes_, a);
+    if (!is_float(a)) notes_.lines.push_back(label(a) + " reads back as floating point");
+    if (a.domain == Domain::vertex && a.name != position_name && a.name != "color")
+      notes_.lines.push_back(label(a) + " is written by corner");
+  }
+
+  void values(const Attribute& a, std::size_t index) {
+    for (std::size_t i = index * a.components; i < (index + 1) * a.components; ++i) {
+      out_ << ' ';
+      print_untyped(out_, a, i);
+    }
+  }
+
+  void begin(ByCorner& kind) {
+    if (!kind.attribute) return;
+    const Attribute& a = *kind.attribute;
+    if (a.domain == Domain::corner) kind.welded = weld(a.data, a.stride());
+    for (std::size_t i = 0; i < kind.count(); ++i) {
+      out_ << kind.statement;
+      values(a, a.domain == Domain::corner ? kind.welded.first[i] : i);
+      out_ << '\n';
+    }
+  }
+
+  void faces(const Mesh& mesh) {
+    std::size_t corner = 0, empty = 0;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+      const std::uint32_t size = face_size(mesh, f);
+      empty += size == 0;
+      if (size == 0) continue;
+      out_ << 'f';
+      for (std::size_t end = corner + size; corner < end; ++corner) {
+        const std::uint32_t v = mesh.corners[corner];
+        out_ << ' ';
+        out_.number(1 + vertices_written_ + v);
+        if (texcoords_.attribute || normals_.attribute) out_ << '/';
+        if (texcoords_.attribute) out_.number(texcoords_.index(corner, v));
+        if (!normals_.attribute) continue;
+        out_ << '/';
+        out_.number(normals_.index(corner, v));
+      }
+      out_ << '\n';
+    }
+    if (empty)
+      notes_.lines.push_back(
+          counted(empty, "face without corners was", "faces without corners were") + " left out");
+  }
+
+  // A name must not begin a new statement.
+  static std::string one_line(std::string name) {
+    for (char& c : name)
+      if (c == '\n' || c == '\r') c = ' ';
+    return name;
+  }
+
+  Output& out_;
+  Notes& notes_;
+  std::uint64_t vertices_written_ = 0;
+  ByCorner texcoords_{"vt"}, normals_{"vn"};
+};
+
+}  // namespace
+
+Expected<Done> write_obj(std::span<const Mesh> meshes, Output& out, Notes& notes) {
+  Writer writer(out, notes);
+  for (const Mesh& mesh : meshes)
+    if (Expected<Done> done = writer.write(mesh, meshes.size() > 1 || !mesh.name.empty()); !done)
+      return done;
+  if (meshes.size() > 1)
+    notes.lines.push_back(std::to_string(meshes.size()) +
+                          " meshes became objects of one file, which reads back as one mesh");
+  return Done{};
+}
+
+}  // namespace clers::io
