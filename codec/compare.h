@@ -19,9 +19,10 @@ struct Comparison {
   std::string what;  ///< the first difference, for people; empty when same
 };
 
-/// Compares without any knowledge of the codec: refines classes of vertices by their values and their
-/// neighbourhoods until a renumbering is forced, then checks it. Positions may coincide.
-/// Attributes are matched by name and domain; their order does not matter, mesh names do not either.
+/// Compares without any knowledge of the codec: refines classes of vertices by their values and
+/// their neighbourhoods until a renumbering is forced, then checks it. Positions may coincide.
+/// Attributes are matched by name and domain; their order does not matter, mesh names do not
+/// either.
 Comparison compare(const Mesh& a, const Mesh& b);
 
 }  // namespace clers

@@ -18,8 +18,8 @@ namespace clers {
 /// allocated for it.
 struct Limits {
   std::uint64_t meshes = 1u << 20;
-  std::uint64_t vertices = 0xffffffffu;        ///< in one mesh
-  std::uint64_t faces = 0x55555555u;           ///< in one mesh
+  std::uint64_t vertices = 0xffffffffu;           ///< in one mesh
+  std::uint64_t faces = 0x55555555u;              ///< in one mesh
   std::uint64_t memory = std::uint64_t(1) << 40;  ///< bytes of all meshes of the file, decoded
 };
 

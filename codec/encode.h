@@ -27,9 +27,10 @@ struct EncodeOptions {
 
 /// What the codec renumbered. Decoding gives the mesh in the new order.
 struct Permutation {
-  std::vector<std::uint32_t> vertices;      ///< vertices[new] = old, one for each vertex
-  std::vector<std::uint32_t> faces;         ///< faces[new] = old, one for each face
-  std::vector<std::uint32_t> first_corners; ///< first_corners[new] = the corner of the old face (0, 1, ..) that comes first now
+  std::vector<std::uint32_t> vertices;       ///< vertices[new] = old, one for each vertex
+  std::vector<std::uint32_t> faces;          ///< faces[new] = old, one for each face
+  std::vector<std::uint32_t> first_corners;  ///< first_corners[new] = the corner of the old face
+                                             ///< (0, 1, ..) that comes first now
 };
 
 struct Encoded {

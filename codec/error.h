@@ -12,13 +12,14 @@ namespace clers {
 /// Stable numbers: they are part of the API and of the tests of the format.
 enum class ErrorCode : std::uint16_t {
   // The input mesh cannot be coded.
-  inconsistent_mesh = 1,     ///< sizes of the arrays disagree, or an index is out of range
-  polygon = 2,               ///< a face with more or fewer than three corners
-  repeated_vertex = 3,       ///< a face that uses a vertex twice
-  nonmanifold_edge = 4,      ///< an edge of more than two faces
-  nonmanifold_vertex = 5,    ///< a vertex whose faces form more than one fan
-  nonorientable = 6,         ///< a component that has no consistent orientation
-  too_large = 7,             ///< more elements than ids
+  inconsistent_mesh = 1,   ///< sizes of the arrays disagree, or an index is out of range
+  polygon = 2,             ///< a face with more or fewer than three corners
+  repeated_vertex = 3,     ///< a face that uses a vertex twice
+  nonmanifold_edge = 4,    ///< an edge of more than two faces
+  nonmanifold_vertex = 5,  ///< a vertex whose faces form more than one fan
+  nonorientable = 6,       ///< a component that has no consistent orientation
+  too_large = 7,           ///< more elements than ids
+  bad_option = 8,          ///< an option out of its range
   // The bytes cannot be decoded.
   not_clers = 20,            ///< the magic number is missing
   unsupported_version = 21,  ///< made by a later format
@@ -27,13 +28,13 @@ enum class ErrorCode : std::uint16_t {
   corrupt = 24,              ///< a checksum does not match
   invalid = 25,              ///< a rule of the format is broken
   // A limit.
-  limit = 40,                ///< the caller's limits do not allow this input
-  out_of_memory = 41,        ///< allocation failed
+  limit = 40,          ///< the caller's limits do not allow this input
+  out_of_memory = 41,  ///< allocation failed
   // Files.
-  io_failed = 60,            ///< the system refused to read or write
-  malformed = 61,            ///< a mesh file breaks the rules of its format
-  unsupported = 62,          ///< a mesh file uses a feature that is not read
-  internal = 99,             ///< a fault of this library
+  io_failed = 60,    ///< the system refused to read or write
+  malformed = 61,    ///< a mesh file breaks the rules of its format
+  unsupported = 62,  ///< a mesh file uses a feature that is not read
+  internal = 99,     ///< a fault of this library
 };
 
 /// The code's name, as in the enumeration.
@@ -45,8 +46,8 @@ enum class Place : std::uint8_t { nowhere, byte, line, face, vertex, edge, mesh,
 struct Error {
   ErrorCode code = ErrorCode::internal;
   Place place = Place::nowhere;
-  std::uint64_t at = 0;      ///< byte offset, line (from 1), or element index
-  std::string what;          ///< what is wrong and what was expected, one line, no full stop
+  std::uint64_t at = 0;  ///< byte offset, line (from 1), or element index
+  std::string what;      ///< what is wrong and what was expected, one line, no full stop
 };
 
 /// One line for people: "face 17 has 4 corners, expected 3".

@@ -14,15 +14,15 @@
 
 namespace clers {
 
-/// Shape of a mesh. Components, boundary curves and genus are those of the surface that is left when
-/// it is cut at its non-manifold edges and vertices.
+/// Shape of a mesh. Components, boundary curves and genus are those of the surface that is left
+/// when it is cut at its non-manifold edges and vertices.
 struct MeshShape {
   std::uint64_t vertices = 0;
   std::uint64_t faces = 0;
   std::uint64_t triangles = 0;  ///< a polygon of n corners counts n-2
   std::uint64_t components = 0;
   std::uint64_t boundary_curves = 0;
-  std::uint64_t genus = 0;  ///< sum over the components
+  std::uint64_t genus = 0;                 ///< sum over the components
   std::uint64_t nonmanifold_edges = 0;     ///< edges of more than two faces
   std::uint64_t nonmanifold_vertices = 0;  ///< vertices whose faces form more than one fan
   std::uint64_t misoriented_edges = 0;     ///< edges of two faces that run along them the same way
@@ -53,7 +53,7 @@ struct MeshInfo {
 
 struct FileInfo {
   std::uint32_t format_major = 0, format_minor = 0;
-  int level = 0;                 ///< that the file was made with
+  int level = 0;  ///< that the file was made with
   std::uint64_t total_bytes = 0;
   std::uint64_t overhead_bytes = 0;  ///< total less connectivity, positions and attributes
   std::vector<MeshInfo> meshes;

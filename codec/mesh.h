@@ -47,8 +47,8 @@ struct Attribute {
 
 inline constexpr char position_name[] = "position";
 
-/// Faces are cycles of vertex indices, counterclockwise seen from outside, concatenated in `corners`.
-/// Vertices are 0 .. vertex_count-1; one that no face uses is allowed.
+/// Faces are cycles of vertex indices, counterclockwise seen from outside, concatenated in
+/// `corners`. Vertices are 0 .. vertex_count-1; one that no face uses is allowed.
 struct Mesh {
   std::uint32_t vertex_count = 0;
   std::vector<std::uint32_t> corners;     ///< each below vertex_count
@@ -57,7 +57,9 @@ struct Mesh {
   std::string name;  ///< of the object in its file; may be empty
 
   bool triangles_only() const { return face_sizes.empty(); }
-  std::size_t face_count() const { return triangles_only() ? corners.size() / 3 : face_sizes.size(); }
+  std::size_t face_count() const {
+    return triangles_only() ? corners.size() / 3 : face_sizes.size();
+  }
 
   /// The vertex attribute "position", or nullptr.
   const Attribute* position() const {

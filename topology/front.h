@@ -1,8 +1,8 @@
 // The active boundary of a surface under construction: attach, zip and glue at codec speed.
 //
 // Spirale Reversi (paper §7.2, Algorithm 3) only ever works at one boundary edge, the gate. So the
-// fast form of the handle operators (§5.1) keeps nothing but the boundary: for every vertex on it the
-// vertex before, and how many triangles the vertex has so far. The gate lives in registers.
+// fast form of the handle operators (§5.1) keeps nothing but the boundary: for every vertex on it
+// the vertex before, and how many triangles the vertex has so far. The gate lives in registers.
 //
 //            built surface                        built surface
 //      .--<--.     .--<--.                  .--<--.           .--<--.
@@ -11,13 +11,13 @@
 //               x ====gate====> y  ...               \ . . . . . y ...
 //              (outside)                            new gate: prev(x) -> y
 //
-// A boundary half-edge x->y has the surface on its left. The gate's own edge is not in the ring: the
-// link of y is stale until the gate moves away, and walks must not cross it.
+// A boundary half-edge x->y has the surface on its left. The gate's own edge is not in the ring:
+// the link of y is stale until the gate moves away, and walks must not cross it.
 //
 // Every operator also names the half-edges it joins to a Pairing, a policy that does nothing in the
-// codec's fast path (NoPairing), fills a table of twins (Opposites), or runs each operator on a full
-// Surface with all its bookkeeping (topology/mirror.h). One source, so what is proved of one holds for
-// the others.
+// codec's fast path (NoPairing), fills a table of twins (Opposites), or runs each operator on a
+// full Surface with all its bookkeeping (topology/mirror.h). One source, so what is proved of one
+// holds for the others.
 #ifndef CLERS_TOPOLOGY_FRONT_H
 #define CLERS_TOPOLOGY_FRONT_H
 
@@ -71,8 +71,8 @@ class Front {
   std::uint32_t prev(std::uint32_t v) const { return links_[v].prev; }
   FrontLink* links() const { return links_; }
 
-  // In each of these `f` is the new triangle, `c` receives its corners, and `n` is the first id of as
-  // many new vertices as the operator makes. The new gate always is side 0 of f, from a to b.
+  // In each of these `f` is the new triangle, `c` receives its corners, and `n` is the first id of
+  // as many new vertices as the operator makes. The new gate always is side 0 of f, from a to b.
 
   /// Type 0 (§5.1.1): a new component of one triangle on the vertices n, n+1, n+2.
   Gate create(Face f, std::uint32_t n, Corners& c) {
@@ -115,8 +115,8 @@ class Front {
   }
 
   /// attach, then glue to the boundary edge p -> q (S). x merges into q and is dead afterwards; the
-  /// caller keeps that. `kq` and `pq` are the valence of q and the edge p -> q, which a gate put aside
-  /// carries itself and other edges keep in the ring.
+  /// caller keeps that. `kq` and `pq` are the valence of q and the edge p -> q, which a gate put
+  /// aside carries itself and other edges keep in the ring.
   ///
   ///        p --------> q                p . . . . . q
   ///                                 a= p \         / : x and q are one
@@ -135,7 +135,9 @@ class Front {
   }
 
   /// Type 2 (§5.1.1): closes a curve of two edges. Precondition: prev(x) == y.
-  void close(Gate g) { pairing_->join(g.edge, pairing_->edge_into(Vertex(g.x)), HandleCase::close); }
+  void close(Gate g) {
+    pairing_->join(g.edge, pairing_->edge_into(Vertex(g.x)), HandleCase::close);
+  }
 
   Edge edge_into(std::uint32_t v) const { return pairing_->edge_into(Vertex(v)); }
 
@@ -156,7 +158,9 @@ class Opposites {
   Edge edge_into(Vertex v) const { return into_[v.index()]; }
   void set_edge_into(Vertex v, Edge e) { into_[v.index()] = e; }
   Edge side(Face f, unsigned i) const { return half_edge(f, i); }
-  void attach(Face f, unsigned i, Edge gate) { join(side(f, i), gate, HandleCase::join_components); }
+  void attach(Face f, unsigned i, Edge gate) {
+    join(side(f, i), gate, HandleCase::join_components);
+  }
   void join(Edge a, Edge b, HandleCase) {
     twins_[a.index()] = b;
     twins_[b.index()] = a;

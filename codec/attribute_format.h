@@ -1,0 +1,57 @@
+// What the two directions of attribute coding share.
+#ifndef CLERS_CODEC_ATTRIBUTE_FORMAT_H
+#define CLERS_CODEC_ATTRIBUTE_FORMAT_H
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "codec/attribute.h"
+#include "codec/prediction.h"
+
+namespace clers {
+
+inline constexpr std::size_t max_name = 255;
+
+constexpr bool is_float(Scalar s) {
+  return s == Scalar::float32 || s == Scalar::float64;
+}
+
+/// Calls f(U()) with the unsigned word of a scalar's size.
+template <class F>
+auto with_word(Scalar s, F f) {
+  switch (size_of(s)) {
+    case 1:
+      return f(std::uint8_t());
+    case 2:
+      return f(std::uint16_t());
+    case 4:
+      return f(std::uint32_t());
+    default:
+      return f(std::uint64_t());
+  }
+}
+
+/// Calls visit(value, guess) for every value in the order in which differences are stored. A value
+/// that is its own guess has none.
+template <class Visit>
+void for_each_value(Predictor predictor, std::size_t count, std::span<const std::uint32_t> corners,
+                    Visit visit) {
+  std::size_t used = 0;
+  if (predictor == Predictor::parallelogram) {
+    for_each_vertex(corners, static_cast<std::uint32_t>(count), [&](std::uint32_t v, Guess g) {
+      visit(v, g);
+      ++used;
+    });
+  }
+  // Vertices of faces are numbered before isolated ones, so those are what is left.
+  for (std::size_t i = used; i < count; ++i) {
+    const std::uint32_t v = static_cast<std::uint32_t>(i);
+    const std::uint32_t g = predictor == Predictor::none || i == 0 ? v : v - 1;
+    visit(v, Guess{g, g, g});
+  }
+}
+
+}  // namespace clers
+
+#endif

@@ -1,0 +1,67 @@
+// The frame of a .clers file: a header, then sections, each with its kind, length and checksum.
+// codec/format.md describes the bytes.
+#ifndef CLERS_CODEC_CONTAINER_H
+#define CLERS_CODEC_CONTAINER_H
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "codec/bytes.h"
+#include "codec/error.h"
+
+namespace clers {
+
+inline constexpr std::uint32_t format_major = 0, format_minor = 1;
+
+/// Kinds of sections; the numbers are the file format's.
+enum class SectionKind : std::uint8_t { end = 0, mesh = 1, attribute = 2, name = 3 };
+
+/// Writes a file section by section.
+class ContainerWriter {
+ public:
+  explicit ContainerWriter(int level);
+  void section(SectionKind kind, std::span<const std::byte> payload);
+  /// The section that says that nothing is missing.
+  Bytes finish(std::uint64_t meshes);
+
+ private:
+  Bytes bytes_;
+  std::uint32_t check_;  ///< of all that was written
+};
+
+struct Section {
+  SectionKind kind = SectionKind::end;
+  std::span<const std::byte> payload;
+  std::uint64_t at = 0;  ///< offset of the payload in the file
+};
+
+/// Reads a file section by section.
+class ContainerReader {
+ public:
+  explicit ContainerReader(std::span<const std::byte> bytes) : bytes_(bytes), in_(bytes, 0) {}
+
+  /// Checks the header. Errors: not_clers, unsupported_version, truncated.
+  Expected<Done> open();
+  int level() const { return level_; }
+  std::uint32_t minor() const { return minor_; }
+
+  /// The next section, checked against its checksum; the end section once, at the end.
+  /// Errors: truncated, corrupt, invalid (an unknown kind), trailing_bytes.
+  Expected<Section> next();
+
+  /// What the end section says. Precondition: next() gave it.
+  std::uint64_t meshes() const { return meshes_; }
+
+ private:
+  std::span<const std::byte> bytes_;
+  ByteReader in_;
+  int level_ = 0;
+  std::uint32_t minor_ = 0;
+  std::uint32_t check_ = 0;
+  std::uint64_t meshes_ = 0;
+};
+
+}  // namespace clers
+
+#endif

@@ -1,0 +1,203 @@
+#include "codec/encode.h"
+
+#include <cstring>
+#include <new>
+
+#include "codec/adjacency.h"
+#include "codec/attribute.h"
+#include "codec/connectivity.h"
+#include "codec/container.h"
+
+namespace clers {
+namespace {
+
+std::uint64_t values_of(const Mesh& mesh, Domain domain) {
+  switch (domain) {
+    case Domain::vertex:
+      return mesh.vertex_count;
+    case Domain::corner:
+      return mesh.corners.size();
+    case Domain::face:
+      return mesh.face_count();
+  }
+  return 0;
+}
+
+/// Refuses meshes whose arrays disagree, and those that are not of triangles.
+Expected<Done> check(const Mesh& mesh) {
+  if (mesh.triangles_only()) {
+    if (mesh.corners.size() % 3 != 0)
+      return fail(ErrorCode::inconsistent_mesh,
+                  std::to_string(mesh.corners.size()) + " corners, expected a multiple of 3");
+  } else {
+    std::uint64_t corners = 0;
+    for (const std::uint32_t size : mesh.face_sizes) corners += size;
+    if (corners != mesh.corners.size())
+      return fail(ErrorCode::inconsistent_mesh,
+                  "faces of " + std::to_string(corners) + " corners in all, but " +
+                      std::to_string(mesh.corners.size()) + " corners are given");
+    for (std::size_t f = 0; f < mesh.face_sizes.size(); ++f)
+      if (mesh.face_sizes[f] != 3)
+        return fail(ErrorCode::polygon, Place::face, f,
+                    "has " + std::to_string(mesh.face_sizes[f]) + " corners, expected 3");
+  }
+  if (mesh.face_count() > max_faces)
+    return fail(ErrorCode::too_large, std::to_string(mesh.face_count()) +
+                                          " faces, expected at most " + std::to_string(max_faces));
+  for (const Attribute& a : mesh.attributes) {
+    if (a.name.size() > 255)
+      return fail(ErrorCode::inconsistent_mesh, "an attribute's name is longer than 255 bytes");
+    if (static_cast<unsigned>(a.scalar) >= scalar_count || a.components == 0 ||
+        a.data.size() != values_of(mesh, a.domain) * a.stride())
+      return fail(ErrorCode::inconsistent_mesh,
+                  "attribute \"" + a.name + "\" has " + std::to_string(a.data.size()) +
+                      " bytes of values, expected " + std::to_string(values_of(mesh, a.domain)) +
+                      " times " + std::to_string(a.stride()));
+  }
+  return Done{};
+}
+
+/// The attribute with its values in the order of the coded mesh.
+Attribute permuted(const Attribute& a, const Permutation& order) {
+  Attribute result = a;
+  const std::size_t stride = a.stride();
+  std::byte* to = result.data.data();
+  const auto copy = [&](std::size_t from) {
+    std::memcpy(to, a.data.data() + from * stride, stride);
+    to += stride;
+  };
+  switch (a.domain) {
+    case Domain::vertex:
+      for (const std::uint32_t v : order.vertices) copy(v);
+      break;
+    case Domain::face:
+      for (const std::uint32_t f : order.faces) copy(f);
+      break;
+    case Domain::corner:
+      for (std::size_t i = 0; i < order.faces.size(); ++i)
+        for (unsigned j = 0; j < 3; ++j)
+          copy(3 * std::size_t(order.faces[i]) + (order.first_corners[i] + j) % 3);
+      break;
+  }
+  return result;
+}
+
+class MeshEncoder {
+ public:
+  MeshEncoder(const Mesh& mesh, const EncodeOptions& options, ContainerWriter& out)
+      : mesh_(mesh), options_(options), out_(out) {}
+
+  /// Writes the mesh's sections. `progress` takes shares of this mesh.
+  template <class Progress>
+  Expected<Done> run(Progress progress) {
+    if (auto ok = check(mesh_); !ok) return ok;
+    progress("adjacency", 0.0);
+    auto twins = find_twins(mesh_.corners, mesh_.vertex_count);
+    if (!twins) return Failure{twins.error()};
+    progress("connectivity", 0.2);
+    auto coded = encode_connectivity({mesh_.corners, *twins, mesh_.vertex_count}, options_.level);
+    if (!coded) return Failure{coded.error()};
+    *twins = {};
+    number(*coded);
+    describe(*coded);
+
+    Bytes payload;
+    put_varint(payload, mesh_.vertex_count - coded->vertices.size());
+    put_bytes(payload, coded->bytes);
+    out_.section(SectionKind::mesh, payload);
+    info.connectivity_bytes = payload.size();
+    if (!mesh_.name.empty()) out_.section(SectionKind::name, std::as_bytes(std::span(mesh_.name)));
+    return attributes(progress);
+  }
+
+  Permutation order;
+  MeshInfo info;
+
+ private:
+  void number(EncodedConnectivity& coded) {
+    order.vertices = coded.vertices;
+    order.vertices.reserve(mesh_.vertex_count);
+    if (coded.vertices.size() < mesh_.vertex_count) {
+      std::vector<bool> used(mesh_.vertex_count);
+      for (const std::uint32_t v : coded.vertices) used[v] = true;
+      for (std::uint32_t v = 0; v < mesh_.vertex_count; ++v)
+        if (!used[v]) order.vertices.push_back(v);
+    }
+    order.faces.reserve(coded.gates.size());
+    order.first_corners.reserve(coded.gates.size());
+    for (const HalfEdge gate : coded.gates) {
+      order.faces.push_back(left(gate).index());
+      order.first_corners.push_back(corner(gate));
+    }
+  }
+
+  void describe(const EncodedConnectivity& coded) {
+    info.name = mesh_.name;
+    info.shape.vertices = mesh_.vertex_count;
+    info.shape.faces = info.shape.triangles = mesh_.face_count();
+    info.shape.components = coded.counts.components;
+    info.shape.boundary_curves = coded.counts.boundary_curves;
+    info.shape.genus = coded.counts.handles;
+    info.shape.isolated_vertices = mesh_.vertex_count - coded.vertices.size();
+    info.clers = in_word_order(coded.counts.letters);
+  }
+
+  template <class Progress>
+  Expected<Done> attributes(Progress progress) {
+    // The coded index buffer is needed to predict along it.
+    std::vector<std::uint32_t> new_number(mesh_.vertex_count), corners(mesh_.corners.size());
+    for (std::uint32_t i = 0; i < order.vertices.size(); ++i) new_number[order.vertices[i]] = i;
+    for (std::size_t i = 0; i < order.faces.size(); ++i)
+      for (unsigned j = 0; j < 3; ++j)
+        corners[3 * i + j] = new_number[mesh_.corners[3 * std::size_t(order.faces[i]) +
+                                                      (order.first_corners[i] + j) % 3]];
+    std::size_t done = 0;
+    for (const Attribute& a : mesh_.attributes) {
+      progress(a.name, 0.4 + 0.6 * static_cast<double>(done++) /
+                                 static_cast<double>(mesh_.attributes.size()));
+      auto bytes = encode_attribute(permuted(a, order), corners, options_.level);
+      if (!bytes) return Failure{bytes.error()};
+      out_.section(SectionKind::attribute, *bytes);
+      info.attributes.push_back(
+          {a.name, a.domain, a.scalar, a.components, values_of(mesh_, a.domain), bytes->size()});
+      (&a == mesh_.position() ? info.position_bytes : info.attribute_bytes) += bytes->size();
+    }
+    return Done{};
+  }
+
+  const Mesh& mesh_;
+  const EncodeOptions& options_;
+  ContainerWriter& out_;
+};
+
+}  // namespace
+
+Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& options) try {
+  if (options.level < min_level || options.level > max_level)
+    return fail(ErrorCode::bad_option,
+                "level " + std::to_string(options.level) + ", expected 1 to 9");
+  ContainerWriter out(options.level);
+  Encoded result;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    MeshEncoder encoder(meshes[i], options, out);
+    const auto ok = encoder.run([&](std::string_view stage, double share) {
+      if (options.progress)
+        options.progress(stage,
+                         (static_cast<double>(i) + share) / static_cast<double>(meshes.size()));
+    });
+    if (!ok) {
+      Error error = ok.error();
+      if (meshes.size() > 1) error.what += " (mesh " + std::to_string(i) + ")";
+      return Failure{error};
+    }
+    result.permutations.push_back(std::move(encoder.order));
+    result.report.push_back(std::move(encoder.info));
+  }
+  result.bytes = out.finish(meshes.size());
+  if (options.progress) options.progress("done", 1.0);
+  return result;
+} catch (const std::bad_alloc&) {
+  return fail(ErrorCode::out_of_memory, "not enough memory to encode");
+}
+
+}  // namespace clers

@@ -1,0 +1,189 @@
+// Numbers and decisions that are rare among the symbols: components, holes, handles.
+//
+// Each is written once, for a Coder that either encodes the value it is given or ignores it and
+// decodes one, so that the two directions cannot drift apart.
+#ifndef CLERS_CODEC_EVENT_MODEL_H
+#define CLERS_CODEC_EVENT_MODEL_H
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+#include "codec/clers.h"
+#include "codec/rans.h"
+
+namespace clers {
+
+/// Adaptive probability of one decision.
+class BitModel {
+ public:
+  /// Share of rans::scale for `true`, 32 .. scale - 32.
+  std::uint32_t share() const { return std::clamp(p_ >> 1, 32u, rans::scale - 32); }
+  void update(bool bit) {
+    const int rate = int(std::bit_width(seen_ + 2u)) - 1;
+    seen_ = static_cast<std::uint16_t>(seen_ + (seen_ < 62));
+    if (bit)
+      p_ += (65535 - p_) >> rate;
+    else
+      p_ -= p_ >> rate;
+  }
+
+ private:
+  std::uint32_t p_ = 1u << 15;
+  std::uint16_t seen_ = 0;
+};
+
+/// Coder that writes.
+class EncodeTo {
+ public:
+  explicit EncodeTo(rans::Encoder& out) : out_(&out) {}
+  bool bit(BitModel& model, bool value) {
+    const std::uint32_t one = model.share();
+    value ? out_->put(0, one) : out_->put(one, rans::scale - one);
+    model.update(value);
+    return value;
+  }
+  /// One of 2^n equally likely values, n <= 14.
+  std::uint32_t raw(unsigned n, std::uint32_t value) {
+    if (n) out_->put(value << (rans::scale_bits - n), 1u << (rans::scale_bits - n));
+    return value;
+  }
+
+ private:
+  rans::Encoder* out_;
+};
+
+/// Coder that reads; the values given to it are ignored.
+class DecodeFrom {
+ public:
+  explicit DecodeFrom(rans::Decoder& in) : in_(&in) {}
+  bool bit(BitModel& model, bool) {
+    const std::uint32_t one = model.share();
+    const bool value = in_->slot() < one;
+    value ? in_->advance(0, one) : in_->advance(one, rans::scale - one);
+    model.update(value);
+    return value;
+  }
+  std::uint32_t raw(unsigned n, std::uint32_t) {
+    if (n == 0) return 0;
+    const std::uint32_t value = in_->slot() >> (rans::scale_bits - n);
+    in_->advance(value << (rans::scale_bits - n), 1u << (rans::scale_bits - n));
+    return value;
+  }
+
+ private:
+  rans::Decoder* in_;
+};
+
+/// Raw bits of any number up to 32.
+template <class Coder>
+std::uint32_t code_bits(Coder& coder, unsigned n, std::uint32_t value) {
+  std::uint32_t result = 0;
+  while (n > 0) {
+    const unsigned part = std::min(n, 14u);
+    n -= part;
+    result |= coder.raw(part, value >> n & ((1u << part) - 1)) << n;
+  }
+  return result;
+}
+
+/// Any 32-bit number, small ones cheap: Exp-Golomb with adaptive length and adaptive top bits.
+class NumberModel {
+ public:
+  template <class Coder>
+  std::uint32_t code(Coder& coder, std::uint32_t value) {
+    const std::uint64_t v = std::uint64_t(value) + 1;
+    const unsigned length = static_cast<unsigned>(std::bit_width(v)) - 1;  // v = 1 .. : 0 .. 32
+    unsigned l = 0;
+    while (l < 32 && coder.bit(longer_[l], l < length)) ++l;
+    if (l == 0) return 0;
+    // v = 1 b r..r: b in context of the length, the rest raw.
+    const bool top = coder.bit(top_[l], (v >> (l - 1)) & 1);
+    const unsigned rest = l - 1;
+    const std::uint64_t low_mask = (std::uint64_t(1) << rest) - 1;
+    const std::uint32_t r = code_bits(coder, rest, static_cast<std::uint32_t>(v & low_mask));
+    return static_cast<std::uint32_t>(((std::uint64_t(2) | top) << rest | r) - 1);
+  }
+
+ private:
+  BitModel longer_[33];
+  BitModel top_[33];
+};
+
+/// One of n equally likely values, n >= 1: the top by a division of the scale, the rest raw.
+/// Decoding may return a value >= n for streams that no encoder makes.
+template <class Coder>
+std::uint32_t code_uniform(Coder& coder, std::uint32_t n, std::uint32_t value) {
+  // Truncated binary: with 2^b <= n < 2^(b+1), values below 2^(b+1) - n take b bits, others b+1.
+  const unsigned b = static_cast<unsigned>(std::bit_width(n)) - 1;
+  const std::uint32_t shorter = static_cast<std::uint32_t>((std::uint64_t(2) << b) - n);
+  const bool is_short = value < shorter;
+  std::uint32_t head = code_bits(coder, b, is_short ? value : (value + shorter) >> 1);
+  if (head < shorter) return head;
+  return (head << 1 | coder.raw(1, (value + shorter) & 1)) - shorter;
+}
+
+/// What is coded at the places in the symbol string where something other than a symbol is told.
+class EventModel {
+ public:
+  /// At an E with no gate put aside: is it the first triangle of another component?
+  template <class Coder>
+  bool new_component(Coder& c, bool value) {
+    return c.bit(new_component_, value);
+  }
+
+  /// At the end of a component whose last curve has two edges: are they glued?
+  template <class Coder>
+  bool closed(Coder& c, bool value) {
+    return c.bit(closed_, value);
+  }
+
+  /// At an S when a gate was put aside: does it glue to something else than that gate?
+  template <class Coder>
+  bool special(Coder& c, bool value) {
+    return c.bit(special_, value);
+  }
+
+  /// What a special S does; join is possible only when curves wait to be joined.
+  template <class Coder>
+  SpecialS kind(Coder& c, bool any_waiting, SpecialS value) {
+    if (any_waiting && c.bit(join_, value == SpecialS::join)) return SpecialS::join;
+    return c.bit(split_[any_waiting], value == SpecialS::split) ? SpecialS::split : SpecialS::hole;
+  }
+
+  /// Edges of the hole, at least 2.
+  template <class Coder>
+  std::uint64_t hole_length(Coder& c, std::uint64_t value) {
+    return 2 + std::uint64_t(hole_.code(c, static_cast<std::uint32_t>(value - 2)));
+  }
+
+  /// Distance 2 .. n-3 back along a curve of n edges: the shorter way round and which way.
+  template <class Coder>
+  std::uint64_t split_distance(Coder& c, std::uint64_t n, std::uint64_t value) {
+    const std::uint64_t from_front = value - 2, from_back = n - 3 - value;
+    const bool back = c.bit(split_back_, from_back < from_front);
+    const std::uint64_t near =
+        distance_.code(c, static_cast<std::uint32_t>(std::min(from_front, from_back)));
+    return back ? n - 3 - near : 2 + near;
+  }
+
+  /// Which of `waiting` curves is joined, 0 the latest.
+  template <class Coder>
+  std::uint32_t join_curve(Coder& c, std::uint32_t waiting, std::uint32_t value) {
+    return waiting > 1 ? recency_.code(c, value) : 0;
+  }
+
+  /// Where on a curve of n edges, counted back from where it was split off.
+  template <class Coder>
+  std::uint32_t join_position(Coder& c, std::uint32_t n, std::uint32_t value) {
+    return code_uniform(c, n, value);
+  }
+
+ private:
+  BitModel new_component_, closed_, special_, join_, split_[2], split_back_;
+  NumberModel hole_, distance_, recency_;
+};
+
+}  // namespace clers
+
+#endif

@@ -1,0 +1,40 @@
+// Walks the sections of a file mesh by mesh: what decode and inspect share.
+#ifndef CLERS_CODEC_MESH_READER_H
+#define CLERS_CODEC_MESH_READER_H
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "codec/attribute.h"
+#include "codec/connectivity.h"
+#include "codec/container.h"
+#include "codec/decode.h"
+
+namespace clers {
+
+/// One mesh of a file: its sections, with what they say about sizes.
+struct MeshSections {
+  std::uint64_t vertices = 0;  ///< isolated ones included
+  std::uint64_t isolated = 0;
+  ConnectivityHeader connectivity;
+  std::span<const std::byte> connectivity_bytes;  ///< without what stands before
+  std::uint64_t connectivity_at = 0;
+  std::uint64_t payload_size = 0;
+  struct AttributeSection {
+    AttributeHeader header;
+    std::span<const std::byte> bytes;
+    std::uint64_t at = 0;
+    std::uint64_t count = 0;
+  };
+  std::vector<AttributeSection> attributes;
+  std::string name;
+};
+
+/// Everything that can be checked before a mesh is decoded, against the limits too.
+Expected<std::vector<MeshSections>> read_meshes(ContainerReader& file, const Limits& limits);
+
+}  // namespace clers
+
+#endif

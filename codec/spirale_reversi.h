@@ -1,0 +1,276 @@
+// Spirale Reversi (paper §7.2, Algorithm 3): builds a surface from its CLERS string read backwards.
+//
+// One driver for the decoder, which takes symbols from a stream, and the encoder, which already
+// knows them and learns here in which context the decoder will meet each. errata: C needs a zip
+// after attach, S a glue, and holes, handles and the closing edge are missing in the printed
+// algorithm.
+//
+// Faces are written last to first, so that they come out in the order in which the encoder met
+// them; side 0 of each is its gate.
+#ifndef CLERS_CODEC_SPIRALE_REVERSI_H
+#define CLERS_CODEC_SPIRALE_REVERSI_H
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "codec/clers.h"
+#include "topology/front.h"
+
+namespace clers {
+
+/// Which rule a string of symbols breaks.
+enum class Broken : std::uint8_t {
+  none,
+  too_many_vertices,  ///< more than were declared
+  c_on_two_edges,     ///< C where the curve has two edges: its triangle would repeat a vertex
+  s_without_gate,     ///< S joins to a gate put aside, and there is none
+  curve_too_short,    ///< a special S on a curve without room for it
+  position,           ///< a special S glues outside the curve
+  waiting_curve,      ///< a component ends while a curve waits to be joined, or none waits
+  gate_left,          ///< the string ends while gates are put aside
+  vertex_count,       ///< fewer vertices were made than declared
+  work,               ///< more steps along boundary curves than allowed
+  stream,             ///< the symbols ran out
+};
+
+/// What builds up while decoding. All memory is the caller's.
+struct Building {
+  std::span<std::uint32_t>
+      corners;                 ///< 3 a face; on return ids of the construction, not yet numbers
+  std::span<FrontLink> links;  ///< one for each vertex id that will be made
+  std::vector<std::uint32_t>
+      merged;                  ///< vertices that S merged away, in order; links[x].prev = into what
+  std::uint32_t finished = 0;  ///< vertices that will not change; links[v].prev = how many before v
+};
+
+/// Where a string of symbols failed.
+struct Breakage {
+  Broken broken = Broken::none;
+  std::uint64_t symbol = 0;
+};
+
+/// Valence in links of vertices that were merged away, for who must tell them from others.
+inline constexpr std::uint32_t merged_away = 0xffffffffu;
+
+/// Steps along boundary curves that special S may take in all, so that no stream costs more than a
+/// constant times its faces.
+constexpr std::uint64_t allowed_steps(std::uint64_t faces) {
+  return 1024 + 1024 * faces;
+}
+
+/// Runs the string that `source` gives. Source answers what the stream says; see
+/// ConnectivityDecoder's SymbolSource for the meaning of each question.
+template <class Pairing, class Source>
+class SpiraleReversi {
+ public:
+  using Surface = Front<Pairing>;
+  using Gate = typename Surface::Gate;
+
+  SpiraleReversi(Building& to, Pairing& pairing, Source& source)
+      : to_(to), front_(to.links.data(), pairing), source_(source) {}
+
+  Breakage run() {
+    const std::uint32_t faces = static_cast<std::uint32_t>(to_.corners.size() / 3);
+    const std::uint32_t ids = static_cast<std::uint32_t>(to_.links.size());
+    if (faces == 0) return {};
+    std::uint32_t* out = to_.corners.data() + to_.corners.size();
+    FrontLink* const links = to_.links.data();
+    steps_left_ = allowed_steps(faces);
+    std::uint32_t made = 0;
+    typename Surface::Corners c;
+    Front<Pairing> front = front_;
+
+    if (ids < 3) return {Broken::too_many_vertices, 0};
+    source_.first();
+    Gate gate = front.create(Face(0), 0, c);
+    made = 3;
+    write(out -= 3, c);
+
+    for (std::uint32_t i = 1; i < faces; ++i) {
+      switch (source_.symbol(gate.kx)) {
+        case Clers::C: {
+          const std::uint32_t x = gate.x;
+          if (front.prev(x) == gate.y) return {Broken::c_on_two_edges, i};
+          gate = front.attach_zip(gate, Face(i), c);
+          links[x].prev = to_.finished++;
+          break;
+        }
+        case Clers::R:
+          if (made == ids) return {Broken::too_many_vertices, i};
+          gate = front.attach_keep_right(gate, Face(i), made++, c);
+          break;
+        case Clers::L:
+          if (made == ids) return {Broken::too_many_vertices, i};
+          gate = front.attach_keep_left(gate, Face(i), made++, c);
+          break;
+        case Clers::S: {
+          const Broken broken = s(gate, Face(i), c);
+          if (broken != Broken::none) return {broken, i};
+          break;
+        }
+        case Clers::E: {
+          if (source_.overrun()) return {Broken::stream, i};
+          if (ids - made < 3) return {Broken::too_many_vertices, i};
+          if (!aside_.empty() || !source_.new_component()) {
+            aside_.push_back(gate);
+          } else if (!end_component(gate)) {
+            return {Broken::waiting_curve, i};
+          }
+          gate = front.create(Face(i), made, c);
+          made += 3;
+          break;
+        }
+      }
+      write(out -= 3, c);
+    }
+    if (!aside_.empty()) return {Broken::gate_left, faces};
+    if (!end_component(gate)) return {Broken::waiting_curve, faces};
+    if (made != ids) return {Broken::vertex_count, faces};
+    return {};
+  }
+
+ private:
+  static void write(std::uint32_t* out, typename Surface::Corners c) {
+    out[0] = c.a;
+    out[1] = c.b;
+    out[2] = c.v;
+  }
+
+  /// S: attach and glue; to the gate put aside last (1a), to an edge of the same curve (1b), or to
+  /// one of a curve split off before (1c).
+  Broken s(Gate& gate, Face f, typename Surface::Corners& c) {
+    if (!aside_.empty() && !source_.special()) {
+      const Gate left = aside_.back();
+      aside_.pop_back();
+      glue(gate, f, left.x, left.kx, left.y, left.ky, left.edge, HandleCase::join_components, c);
+      return Broken::none;
+    }
+    if (source_.overrun()) return Broken::stream;
+    FrontLink* const links = to_.links.data();
+    std::uint32_t q;
+    HandleCase as = HandleCase::split_curve;
+    switch (source_.kind(front_, gate, waiting_)) {
+      case SpecialS::hole: {
+        // The ring of the hole is its length; it is never touched again.
+        const Broken broken = back(gate, source_.hole_length(), q);
+        if (broken != Broken::none) return broken;
+        holes_.push_back(q);
+        break;
+      }
+      case SpecialS::split: {
+        std::uint64_t n = 2;  // edges: x to y backwards, and the gate
+        for (std::uint32_t v = links[gate.x].prev; v != gate.y; v = links[v].prev) ++n;
+        if (!spend(n)) return Broken::work;
+        if (n < 5) return Broken::curve_too_short;
+        const Broken broken = back(gate, source_.split_distance(n), q);
+        if (broken != Broken::none) return broken;
+        waiting_.push_back(q);
+        break;
+      }
+      case SpecialS::join: {
+        if (waiting_.empty()) return Broken::waiting_curve;
+        const std::uint32_t recency =
+            source_.join_curve(static_cast<std::uint32_t>(waiting_.size()));
+        if (recency >= waiting_.size()) return Broken::position;
+        const std::size_t index = waiting_.size() - 1 - recency;
+        q = waiting_[index];
+        waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(index));
+        std::uint32_t n = 1;
+        for (std::uint32_t v = links[q].prev; v != q; v = links[v].prev) ++n;
+        if (!spend(2 * std::uint64_t(n))) return Broken::work;
+        const std::uint32_t position = source_.join_position(n);
+        if (position >= n) return Broken::position;
+        for (std::uint32_t k = 0; k < position; ++k) q = links[q].prev;
+        as = HandleCase::join_curves;
+        break;
+      }
+      default:
+        return Broken::position;
+    }
+    const std::uint32_t p = links[q].prev;
+    glue(gate, f, p, links[p].valence, q, links[q].valence, front_.edge_into(q), as, c);
+    return Broken::none;
+  }
+
+  /// q = the vertex d edges before x. The triangle {prev(q), y, x} must not repeat a vertex, and
+  /// the curve q .. x must have two edges at least.
+  Broken back(Gate gate, std::uint64_t d, std::uint32_t& q) {
+    if (d < 2) return Broken::position;
+    if (!spend(d)) return Broken::work;
+    q = gate.x;
+    for (std::uint64_t k = 0; k < d; ++k) {
+      q = to_.links[q].prev;
+      if (q == gate.y) return Broken::position;
+    }
+    return to_.links[q].prev == gate.y ? Broken::position : Broken::none;
+  }
+
+  void glue(Gate& gate, Face f, std::uint32_t p, std::uint32_t kp, std::uint32_t q,
+            std::uint32_t kq, typename Pairing::Edge pq, HandleCase as,
+            typename Surface::Corners& c) {
+    const std::uint32_t x = gate.x;
+    gate = front_.attach_glue(gate, f, p, kp, q, kq, pq, as, c);
+    to_.links[x] = {q, merged_away};
+    to_.merged.push_back(x);
+  }
+
+  /// What is left of the boundary is final: the holes, and the curve of the gate.
+  bool end_component(Gate gate) {
+    if constexpr (Source::resolves) {  // now it is known which curves no S joined
+      holes_.swap(waiting_);
+      waiting_.clear();
+    }
+    if (!waiting_.empty()) return false;
+    if (front_.prev(gate.x) == gate.y && source_.closed()) front_.close(gate);
+    for (const std::uint32_t hole : holes_) finish_curve(hole, hole);
+    holes_.clear();
+    finish_curve(gate.x, gate.y);
+    finish(gate.y);
+    source_.component_ended();
+    return true;
+  }
+
+  /// Finishes the vertices from v back to `last`, which is finished only when v is `last` itself.
+  void finish_curve(std::uint32_t v, std::uint32_t last) {
+    do {
+      const std::uint32_t before = to_.links[v].prev;
+      finish(v);
+      v = before;
+    } while (v != last);
+  }
+
+  void finish(std::uint32_t v) { to_.links[v].prev = to_.finished++; }
+
+  bool spend(std::uint64_t steps) {
+    if constexpr (Source::resolves) return true;
+    if (steps > steps_left_) return false;
+    steps_left_ -= steps;
+    return true;
+  }
+
+  Building& to_;
+  Front<Pairing> front_;
+  Source& source_;
+  std::vector<Gate> aside_;             ///< gates of parts to be joined by a later S
+  std::vector<std::uint32_t> waiting_;  ///< a vertex of each curve split off for a handle
+  std::vector<std::uint32_t> holes_;    ///< a vertex of each hole of this component
+  std::uint64_t steps_left_ = 0;
+};
+
+/// Turns the ids of the construction into vertex numbers, 0 .. finished-1: latest finished first,
+/// so that numbers grow along the faces. Cost: one look-up a corner.
+inline void number_vertices(Building& b) {
+  FrontLink* const links = b.links.data();
+  for (std::size_t i = b.merged.size(); i-- > 0;) {
+    FrontLink& gone = links[b.merged[i]];
+    gone.prev =
+        links[gone.prev].prev;  // what it merged into died later or never: it has its number
+  }
+  const std::uint32_t last = b.finished - 1;
+  for (std::uint32_t& corner : b.corners) corner = last - links[corner].prev;
+}
+
+}  // namespace clers
+
+#endif

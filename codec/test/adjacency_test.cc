@@ -1,0 +1,86 @@
+#include "codec/adjacency.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <utility>
+
+#include "corpus/generate.h"
+
+namespace clers {
+namespace {
+
+/// Twins by a map of directed edges.
+std::vector<HalfEdge> twins_by_map(const Mesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> sides;
+  const auto dest = [&](std::uint32_t h) { return mesh.corners[lnext(HalfEdge(h)).index()]; };
+  for (std::uint32_t h = 0; h < mesh.corners.size(); ++h) sides[{mesh.corners[h], dest(h)}] = h;
+  std::vector<HalfEdge> twins;
+  for (std::uint32_t h = 0; h < mesh.corners.size(); ++h) {
+    const auto other = sides.find({dest(h), mesh.corners[h]});
+    twins.push_back(other == sides.end() ? HalfEdge() : HalfEdge(other->second));
+  }
+  return twins;
+}
+
+Error error_of(std::vector<std::uint32_t> corners, std::uint32_t vertices) {
+  auto twins = find_twins(corners, vertices);
+  EXPECT_FALSE(twins.ok());
+  return twins.ok() ? Error{} : twins.error();
+}
+
+TEST(Adjacency, EqualsAMapOfDirectedEdges) {
+  for (const Mesh& mesh :
+       {corpus::icosphere(3), corpus::torus(30, 20), corpus::grid(20, 10), corpus::fan(500),
+        corpus::glued_pair(), corpus::strip(9), corpus::gyroid(1, 1, 1, 12, corpus::Ends::open)}) {
+    for (const Mesh& m : {mesh, corpus::shuffle(mesh, 7)}) {
+      auto twins = find_twins(m.corners, m.vertex_count);
+      ASSERT_TRUE(twins.ok()) << describe(twins.error());
+      EXPECT_EQ(*twins, twins_by_map(m));
+    }
+  }
+}
+
+/// A hub whose edges come in random order defeats the streaming lists; time must stay near linear.
+TEST(Adjacency, ShuffledHub) {
+  const Mesh mesh = corpus::shuffle(corpus::fan(100000), 3);
+  auto twins = find_twins(mesh.corners, mesh.vertex_count);
+  ASSERT_TRUE(twins.ok());
+  EXPECT_EQ(*twins, twins_by_map(mesh));
+}
+
+TEST(Adjacency, NamesWhatIsWrong) {
+  EXPECT_EQ(error_of({0, 1, 3}, 3).code, ErrorCode::inconsistent_mesh);
+
+  Error e = error_of({0, 1, 2, 2, 1, 1}, 3);
+  EXPECT_EQ(e.code, ErrorCode::repeated_vertex);
+  EXPECT_EQ(e.at, 1u);
+  EXPECT_EQ(describe(e), "face 1: uses vertex 1 twice");
+
+  e = error_of({4, 5, 6, 0, 1, 2, 1, 0, 3, 0, 1, 7}, 8);
+  EXPECT_EQ(e.code, ErrorCode::nonmanifold_edge);
+  EXPECT_EQ(e.place, Place::face);
+  EXPECT_EQ(e.at, 1u);
+
+  e = error_of({0, 1, 2, 0, 1, 3}, 4);
+  EXPECT_EQ(e.code, ErrorCode::nonorientable);
+  EXPECT_EQ(e.at, 0u);
+
+  e = error_of({0, 1, 2, 2, 3, 4}, 5);
+  EXPECT_EQ(e.code, ErrorCode::nonmanifold_vertex);
+  EXPECT_EQ(e.place, Place::vertex);
+  EXPECT_EQ(e.at, 2u);
+
+  const Mesh strip = corpus::moebius_strip(6, 1);
+  EXPECT_EQ(error_of(strip.corners, strip.vertex_count).code, ErrorCode::nonorientable);
+}
+
+/// An edge of four faces, whose ends are one fan each when its faces are matched in pairs.
+TEST(Adjacency, AnEdgeOfFourFacesIsFoundThoughFansAreSingle) {
+  const std::vector<std::uint32_t> corners = {0, 1, 2, 1, 0, 3, 0, 1, 4, 1, 0, 5,
+                                              0, 2, 5, 2, 1, 5, 0, 4, 3, 4, 1, 3};
+  EXPECT_EQ(error_of(corners, 6).code, ErrorCode::nonmanifold_edge);
+}
+
+}  // namespace
+}  // namespace clers

@@ -1,0 +1,293 @@
+#include "codec/encode.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "codec/decode.h"
+#include "codec/inspect.h"
+#include "corpus/generate.h"
+
+namespace clers {
+namespace {
+
+template <class T>
+Attribute make(std::string name, Domain domain, Scalar scalar, unsigned components,
+               const std::vector<T>& values) {
+  Attribute a{std::move(name), domain, scalar, static_cast<std::uint8_t>(components), {}};
+  a.data.resize(values.size() * sizeof(T));
+  if (!values.empty()) std::memcpy(a.data.data(), values.data(), a.data.size());
+  return a;
+}
+
+Attribute random_attribute(std::string name, Domain domain, Scalar scalar, unsigned components,
+                           std::size_t count, std::uint64_t seed) {
+  Attribute a{std::move(name), domain, scalar, static_cast<std::uint8_t>(components), {}};
+  a.data.resize(count * a.stride());
+  for (std::byte& b : a.data) {
+    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    b = static_cast<std::byte>(seed >> 56);
+  }
+  return a;
+}
+
+std::span<const std::byte> value(const Attribute& a, std::size_t i) {
+  return std::span(a.data).subspan(i * a.stride(), a.stride());
+}
+
+bool equal(std::span<const std::byte> a, std::span<const std::byte> b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+
+/// The decoded mesh is the input renumbered as the permutation says, bit for bit.
+void expect_permuted(const Mesh& in, const Mesh& out, const Permutation& order) {
+  ASSERT_EQ(out.vertex_count, in.vertex_count);
+  ASSERT_EQ(out.corners.size(), in.corners.size());
+  ASSERT_EQ(order.vertices.size(), in.vertex_count);
+  ASSERT_EQ(order.faces.size(), in.face_count());
+  EXPECT_EQ(out.name, in.name);
+  std::vector<bool> vertex(in.vertex_count), face(in.face_count());
+  for (const std::uint32_t v : order.vertices) {
+    ASSERT_FALSE(vertex[v]);
+    vertex[v] = true;
+  }
+  for (std::size_t i = 0; i < order.faces.size(); ++i) {
+    const std::uint32_t f = order.faces[i];
+    ASSERT_FALSE(face[f]);
+    face[f] = true;
+    for (unsigned j = 0; j < 3; ++j)
+      ASSERT_EQ(order.vertices[out.corners[3 * i + j]],
+                in.corners[3 * f + (order.first_corners[i] + j) % 3]);
+  }
+  ASSERT_EQ(out.attributes.size(), in.attributes.size());
+  for (std::size_t k = 0; k < in.attributes.size(); ++k) {
+    const Attribute &a = in.attributes[k], &b = out.attributes[k];
+    EXPECT_EQ(a.name, b.name);
+    EXPECT_EQ(a.domain, b.domain);
+    EXPECT_EQ(a.scalar, b.scalar);
+    EXPECT_EQ(a.components, b.components);
+    ASSERT_EQ(a.data.size(), b.data.size());
+    switch (a.domain) {
+      case Domain::vertex:
+        for (std::uint32_t v = 0; v < in.vertex_count; ++v)
+          ASSERT_TRUE(equal(value(b, v), value(a, order.vertices[v])));
+        break;
+      case Domain::face:
+        for (std::size_t f = 0; f < in.face_count(); ++f)
+          ASSERT_TRUE(equal(value(b, f), value(a, order.faces[f])));
+        break;
+      case Domain::corner:
+        for (std::size_t c = 0; c < in.corners.size(); ++c)
+          ASSERT_TRUE(equal(value(b, c), value(a, 3 * std::size_t(order.faces[c / 3]) +
+                                                      (order.first_corners[c / 3] + c % 3) % 3)));
+        break;
+    }
+  }
+}
+
+std::vector<std::byte> round_trip(std::span<const Mesh> meshes, int level = 5) {
+  EncodeOptions options;
+  options.level = level;
+  auto coded = encode(meshes, options);
+  EXPECT_TRUE(coded.ok()) << (coded.ok() ? "" : describe(coded.error()));
+  if (!coded) return {};
+  auto out = decode(coded->bytes);
+  EXPECT_TRUE(out.ok()) << (out.ok() ? "" : describe(out.error()));
+  if (!out) return {};
+  EXPECT_EQ(out->size(), meshes.size());
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    expect_permuted(meshes[i], (*out)[i], coded->permutations[i]);
+  auto again = encode(*out, options);
+  EXPECT_TRUE(again.ok() && again->bytes == coded->bytes) << "encoding is not idempotent";
+  return coded->bytes;
+}
+
+Error error_of(const Mesh& mesh) {
+  auto coded = encode(std::span(&mesh, 1));
+  EXPECT_FALSE(coded.ok());
+  return coded.ok() ? Error{} : coded.error();
+}
+
+TEST(Encode, NothingAndEmptyMeshes) {
+  round_trip({});
+  const Mesh empty;
+  round_trip(std::span(&empty, 1));
+  Mesh points;
+  points.vertex_count = 5;
+  points.name = "points";
+  points.attributes.push_back(
+      make<float>("position", Domain::vertex, Scalar::float32, 3, std::vector<float>(15, 1.5f)));
+  round_trip(std::span(&points, 1));
+}
+
+TEST(Encode, EveryLevel) {
+  const Mesh mesh = corpus::shuffle(corpus::punch_holes(corpus::torus(30, 20), 5, 1), 1);
+  for (int level = min_level; level <= max_level; ++level) round_trip(std::span(&mesh, 1), level);
+  EncodeOptions options;
+  for (const int level : {0, 10, -3}) {
+    options.level = level;
+    auto coded = encode(std::span(&mesh, 1), options);
+    ASSERT_FALSE(coded.ok());
+    EXPECT_EQ(coded.error().code, ErrorCode::bad_option);
+  }
+}
+
+TEST(Encode, SeveralMeshesAndIsolatedVertices) {
+  std::vector<Mesh> meshes = {corpus::icosphere(2), corpus::grid(3, 3), Mesh{},
+                              corpus::tetrahedron()};
+  meshes[0].name = "ball";
+  meshes[3].name = "simplex";
+  Mesh& grid = meshes[1];  // vertices in front, between and behind that no face uses
+  for (std::uint32_t& v : grid.corners) v = 2 * v + 3;
+  grid.vertex_count = 2 * grid.vertex_count + 9;
+  grid.attributes = {
+      random_attribute("position", Domain::vertex, Scalar::float64, 3, grid.vertex_count, 1)};
+  round_trip(meshes);
+}
+
+TEST(Encode, OddFloatsSurvive) {
+  Mesh mesh = corpus::icosphere(1);
+  std::vector<float> p(3 * std::size_t(mesh.vertex_count), -0.0f);
+  p[0] = std::numeric_limits<float>::quiet_NaN();
+  p[1] = std::numeric_limits<float>::infinity();
+  p[2] = -std::numeric_limits<float>::infinity();
+  p[3] = std::numeric_limits<float>::denorm_min();
+  const std::uint32_t payload = 0xffc12345u;
+  std::memcpy(&p[4], &payload, 4);
+  p[5] = 0.0f;
+  mesh.attributes = {make<float>("position", Domain::vertex, Scalar::float32, 3, p)};
+  round_trip(std::span(&mesh, 1));
+}
+
+/// Attributes of every kind with random bits on random surfaces.
+RC_GTEST_PROP(Encode, AttributesSurvive, ()) {
+  Mesh mesh =
+      corpus::shuffle(corpus::punch_holes(corpus::torus(*rc::gen::inRange(5u, 12u), 7),
+                                          *rc::gen::inRange(0u, 3u), *rc::gen::inRange(0u, 100u)),
+                      *rc::gen::inRange(0u, 100u));
+  mesh.vertex_count += *rc::gen::inRange(0u, 3u);
+  mesh.attributes.clear();
+  const unsigned n = *rc::gen::inRange(0u, 5u);
+  for (unsigned i = 0; i < n; ++i) {
+    const auto domain = static_cast<Domain>(*rc::gen::inRange(0, 3));
+    const auto scalar = static_cast<Scalar>(*rc::gen::inRange(0, 10));
+    const unsigned components = *rc::gen::inRange(1u, 5u);
+    const std::size_t count = domain == Domain::vertex   ? mesh.vertex_count
+                              : domain == Domain::corner ? mesh.corners.size()
+                                                         : mesh.face_count();
+    const std::string name = i == 0 ? "position" : "a" + std::to_string(i);
+    mesh.attributes.push_back(random_attribute(name, domain, scalar, components, count,
+                                               *rc::gen::arbitrary<std::uint64_t>()));
+  }
+  round_trip(std::span(&mesh, 1), *rc::gen::inRange(1, 10));
+  RC_ASSERT(!::testing::Test::HasFailure());
+}
+
+TEST(Encode, RefusesWhatItCannotCode) {
+  Mesh quad;
+  quad.vertex_count = 4;
+  quad.corners = {0, 1, 2, 3};
+  quad.face_sizes = {4};
+  EXPECT_EQ(error_of(quad).code, ErrorCode::polygon);
+  EXPECT_EQ(describe(error_of(quad)), "face 0: has 4 corners, expected 3");
+
+  Mesh odd;
+  odd.vertex_count = 4;
+  odd.corners = {0, 1, 2, 3};
+  EXPECT_EQ(error_of(odd).code, ErrorCode::inconsistent_mesh);
+
+  Mesh lying = corpus::tetrahedron();
+  lying.attributes[0].data.pop_back();
+  EXPECT_EQ(error_of(lying).code, ErrorCode::inconsistent_mesh);
+}
+
+TEST(Decode, EveryPrefixAndEveryFlippedBitIsRefused) {
+  Mesh mesh = corpus::punch_holes(corpus::icosphere(2), 2, 1);
+  mesh.name = "a name";
+  const std::vector<std::byte> bytes = round_trip(std::span(&mesh, 1));
+  for (std::size_t n = 0; n < bytes.size(); ++n) {
+    const std::vector<std::byte> prefix(bytes.begin(),
+                                        bytes.begin() + static_cast<std::ptrdiff_t>(n));
+    auto out = decode(prefix);
+    ASSERT_FALSE(out.ok()) << n;
+    EXPECT_EQ(out.error().code, ErrorCode::truncated) << n << ": " << describe(out.error());
+    EXPECT_FALSE(inspect(prefix).ok());
+  }
+  for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+    std::vector<std::byte> altered = bytes;
+    altered[bit / 8] ^= static_cast<std::byte>(1u << bit % 8);
+    EXPECT_FALSE(decode(altered).ok()) << bit;
+  }
+  std::vector<std::byte> longer = bytes;
+  longer.push_back(std::byte{0});
+  auto out = decode(longer);
+  ASSERT_FALSE(out.ok());
+  EXPECT_EQ(out.error().code, ErrorCode::trailing_bytes);
+}
+
+TEST(Decode, NamesOtherFiles) {
+  std::vector<std::byte> bytes(100, std::byte{'x'});
+  EXPECT_EQ(decode(bytes).error().code, ErrorCode::not_clers);
+  const char newer[] = {'C', 'L', 'E', 'R', 'S', '\x7f', 5, 0, 0, 0};
+  EXPECT_EQ(decode(std::as_bytes(std::span(newer))).error().code, ErrorCode::unsupported_version);
+}
+
+TEST(Decode, Limits) {
+  const Mesh mesh = corpus::icosphere(3);
+  auto coded = encode(std::span(&mesh, 1));
+  ASSERT_TRUE(coded.ok());
+  DecodeOptions options;
+  EXPECT_TRUE(decode(coded->bytes, options).ok());
+  options.limits.faces = mesh.face_count() - 1;
+  EXPECT_EQ(decode(coded->bytes, options).error().code, ErrorCode::limit);
+  options = {};
+  options.limits.vertices = mesh.vertex_count - 1;
+  EXPECT_EQ(decode(coded->bytes, options).error().code, ErrorCode::limit);
+  options = {};
+  options.limits.memory = 12 * mesh.face_count() + 12 * mesh.vertex_count;
+  EXPECT_TRUE(decode(coded->bytes, options).ok());
+  --options.limits.memory;
+  EXPECT_EQ(decode(coded->bytes, options).error().code, ErrorCode::limit);
+  options = {};
+  options.limits.meshes = 0;
+  EXPECT_EQ(decode(coded->bytes, options).error().code, ErrorCode::limit);
+}
+
+TEST(Inspect, EqualsWhatTheEncoderReports) {
+  std::vector<Mesh> meshes = {corpus::punch_holes(corpus::torus(20, 12), 3, 1),
+                              corpus::gyroid(1, 1, 1, 10, corpus::Ends::open)};
+  meshes[1].attributes.push_back(
+      random_attribute("id", Domain::face, Scalar::uint16, 1, meshes[1].face_count(), 3));
+  auto coded = encode(meshes);
+  ASSERT_TRUE(coded.ok());
+  auto info = inspect(coded->bytes);
+  ASSERT_TRUE(info.ok());
+  EXPECT_EQ(info->total_bytes, coded->bytes.size());
+  EXPECT_EQ(info->level, default_level);
+  ASSERT_EQ(info->meshes.size(), 2u);
+  std::uint64_t sum = info->overhead_bytes;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const MeshInfo &a = info->meshes[i], &b = coded->report[i];
+    auto shape = measure(meshes[i]);
+    ASSERT_TRUE(shape.ok());
+    for (const MeshShape& s : {a.shape, b.shape}) {
+      EXPECT_EQ(s.vertices, shape->vertices);
+      EXPECT_EQ(s.triangles, shape->triangles);
+      EXPECT_EQ(s.components, shape->components);
+      EXPECT_EQ(s.boundary_curves, shape->boundary_curves);
+      EXPECT_EQ(s.genus, shape->genus);
+    }
+    EXPECT_EQ(a.clers, b.clers);
+    EXPECT_EQ(a.connectivity_bytes, b.connectivity_bytes);
+    EXPECT_EQ(a.position_bytes, b.position_bytes);
+    EXPECT_EQ(a.attribute_bytes, b.attribute_bytes);
+    sum += a.connectivity_bytes + a.position_bytes + a.attribute_bytes;
+  }
+  EXPECT_EQ(sum, info->total_bytes);
+}
+
+}  // namespace
+}  // namespace clers

@@ -1,0 +1,63 @@
+// Unbuilding at codec speed: unglue and detach on nothing but a table of twins.
+//
+// Edgebreaker asks of the surface only whether an edge is on the boundary; "the neighbour is
+// visited" is "the edge was unglued". Which case an unglue was (§5.1.2) is not needed to go on, and
+// turns out later: Spirale Reversi meets it again from the other side.
+#ifndef CLERS_TOPOLOGY_UNBUILD_H
+#define CLERS_TOPOLOGY_UNBUILD_H
+
+#include <cstdint>
+#include <span>
+
+#include "topology/ids.h"
+
+namespace clers {
+
+/// Witness of operators that is not interested.
+struct NoWitness {
+  void unglue(HalfEdge) {}
+  void destroy(Face) {}
+};
+
+/// The surface that is still there, by its twins; null on a boundary. It consumes the table.
+/// Witness sees every operator (topology/mirror.h runs them on a full Surface).
+template <class Witness>
+class Unbuilding {
+ public:
+  Unbuilding(std::span<HalfEdge> twins, Witness& witness) : twins_(twins), witness_(&witness) {}
+
+  HalfEdge sym(HalfEdge h) const { return twins_[h.index()]; }
+  bool is_boundary(HalfEdge h) const { return !sym(h); }
+
+  /// A destroyed face keeps this in place of the twin of its first half-edge.
+  static constexpr HalfEdge destroyed_mark = HalfEdge(HalfEdge::null_index - 1);
+  bool is_destroyed(Face f) const { return twins_[half_edge(f, 0).index()] == destroyed_mark; }
+
+  /// Makes two boundary edges of an interior one (any case; O(1)).
+  /// Precondition: h is not on the boundary.
+  void unglue(HalfEdge h) {
+    witness_->unglue(h);
+    twins_[sym(h).index()] = HalfEdge();
+    twins_[h.index()] = HalfEdge();
+  }
+
+  /// Paper §6.4, with the destroy after the loop. The side left of the gate goes first, then the
+  /// one right of it: the opposite order of attach, then zip or glue. Precondition: the gate is on
+  /// the boundary.
+  void detach(HalfEdge gate) {
+    const HalfEdge left_side = lprev(gate), right_side = lnext(gate);
+    if (!is_boundary(left_side)) unglue(left_side);
+    if (!is_boundary(right_side)) unglue(right_side);
+    const Face f = left(gate);
+    witness_->destroy(f);
+    twins_[half_edge(f, 0).index()] = destroyed_mark;
+  }
+
+ private:
+  std::span<HalfEdge> twins_;
+  Witness* witness_;
+};
+
+}  // namespace clers
+
+#endif
