@@ -41,7 +41,7 @@ no_leftovers() { check "$1: no temporary files" test -z "$(find "${2:-.}" -name 
 # grid N: an open grid of 2 N^2 triangles as OBJ.
 grid() {
   awk -v n="$1" 'BEGIN {
-    for (i = 0; i <= n; i++) for (j = 0; j <= n; j++) print "v", i, j, (i * 7 + j * 3) % 5 / 4
+    for (i = 0; i <= n; i++) for (j = 0; j <= n; j++) print "v", i, j, (i * 7919 + j * 104729) % 1009 / 1008
     for (i = 0; i < n; i++) for (j = 0; j < n; j++) {
       a = i * (n + 1) + j + 1; b = a + n + 1
       print "f", a, b, b + 1; print "f", a, b + 1, a + 1
@@ -149,7 +149,7 @@ run encode in -o x.clers --from obj; ends "a directory as input" 3 "in: Is a dir
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\n\nf 1 2 9\n' >range.obj
 run encode range.obj -o x2.clers; ends "an index out of range" 3 "range.obj: line 5: "
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n' >fan.obj
-run encode fan.obj -o x2.clers; ends "a non-manifold edge" 3 "fan.obj: edge "
+run encode fan.obj -o x2.clers; ends "a non-manifold edge" 3 "fan.obj: .*edge of vertices 0 and 1 "
 run check --json fan.obj
 check "check counts it" grep -q '"nonmanifold_edges": 1,' out
 run decode grid.obj -o x.obj; ends "decode of a mesh file" 3 "grid.obj: byte 0"
@@ -171,8 +171,10 @@ run verify --max-faces 100 grid.obj grid.clers; ends "verify --max-faces" 4 "gri
 run decode --max-faces 200 --max-vertices 121 --max-memory 1M grid.clers -o x.off; status_limits=$status
 check "limits that suffice" test "$status_limits" -eq 0
 grid 400 >big.obj
-(ulimit -v 40000; "$clers" encode big.obj -o x.clers2 >out 2>err); status=$?
-ends "out of memory" 4 "big.obj: not enough memory"
+if ! grep -q __asan_init "$clers"; then  # its shadow memory alone is larger than any limit
+  (ulimit -v 24000; "$clers" encode big.obj -o x.clers2 >out 2>err); status=$?
+  ends "out of memory" 4 "big.obj: not enough memory"
+fi
 
 # ---- Writing fails
 run encode grid.obj -o nowhere/x.clers; ends "a missing directory" 5 "nowhere/x.clers: No such file"
@@ -191,7 +193,7 @@ ends "a pipe closed early" 5 "standard output: Broken pipe"
 ends "a file too large" 5 "old.clers: File too large"
 check "leaves the old one" cmp -s old.clers grid.clers
 no_leftovers "a failed write"
-if [ "$(id -u)" -eq 0 ] && mkdir small && mount -t tmpfs -o size=64k tmpfs small 2>/dev/null; then
+if [ "$(id -u)" -eq 0 ] && mkdir small && mount -t tmpfs -o size=24k tmpfs small 2>/dev/null; then
   cp grid.clers small/old.clers
   run encode -f big.obj -o small/old.clers; ends "a full disk" 5 "No space left"
   check "leaves the old file" cmp -s small/old.clers grid.clers

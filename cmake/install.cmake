@@ -1,0 +1,36 @@
+# Installation: libraries, public headers, the program, its manual, and what find_package and pkg-config
+# need to find them. Headers go below include/clers, so that "codec/mesh.h" pollutes nobody's path.
+set(clers_include ${CMAKE_INSTALL_INCLUDEDIR}/clers)
+install(TARGETS clers_codec EXPORT clers-targets
+  FILE_SET HEADERS DESTINATION ${clers_include} FILE_SET made DESTINATION ${clers_include})
+install(TARGETS clers_topology EXPORT clers-targets FILE_SET HEADERS DESTINATION ${clers_include})
+if(CLERS_IO)
+  install(TARGETS clers_io EXPORT clers-targets FILE_SET HEADERS DESTINATION ${clers_include})
+endif()
+install(EXPORT clers-targets NAMESPACE clers:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/clers)
+configure_package_config_file(cmake/clers-config.cmake.in clers-config.cmake
+  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/clers)
+# Before 1.0 a minor version may break.
+write_basic_package_version_file(clers-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES
+  ${CMAKE_CURRENT_BINARY_DIR}/clers-config.cmake
+  ${CMAKE_CURRENT_BINARY_DIR}/clers-config-version.cmake
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/clers)
+
+set(clers_pc_libs "-lclers_codec -lclers_topology")
+if(CLERS_IO)
+  string(PREPEND clers_pc_libs "-lclers_io ")
+endif()
+if(BUILD_SHARED_LIBS)
+  set(clers_pc_requires "Requires.private")
+else()
+  set(clers_pc_requires "Requires")
+endif()
+configure_file(cmake/clers.pc.in clers.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/clers.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+if(CLERS_CLI)
+  install(TARGETS clers_cli)
+  configure_file(codec/cli/clers.1.in clers.1 @ONLY)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/clers.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+endif()

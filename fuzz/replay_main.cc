@@ -1,0 +1,76 @@
+// Runs a fuzz target over files, without a fuzzer: seeds in the tests of every build, findings when
+// they are debugged.
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr std::size_t largest_mutated = 4096;  // bytes; the number of mutants grows with the size
+
+std::size_t runs = 0;
+
+void run(const Bytes& input) {
+  // A copy of the exact size, so that sanitizers see a read past its end.
+  const Bytes exact(input.begin(), input.end());
+  LLVMFuzzerTestOneInput(exact.data(), exact.size());
+  ++runs;
+}
+
+/// Every prefix, and every byte changed in three ways.
+void run_mutants(Bytes input) {
+  if (input.size() > largest_mutated) return;
+  for (std::size_t size = 0; size < input.size(); ++size)
+    run(Bytes(input.begin(), input.begin() + static_cast<std::ptrdiff_t>(size)));
+  for (std::uint8_t& byte : input)
+    for (const unsigned change : {0x01u, 0x80u, 0xffu}) {
+      byte = static_cast<std::uint8_t>(byte ^ change);
+      run(input);
+      byte = static_cast<std::uint8_t>(byte ^ change);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  bool mutate = false;
+  std::vector<std::filesystem::path> files;
+  for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--mutate") == 0) {
+      mutate = true;
+    } else if (std::filesystem::is_directory(argv[i])) {
+      for (const auto& entry : std::filesystem::recursive_directory_iterator(argv[i]))
+        if (entry.is_regular_file()) files.push_back(entry.path());
+    } else {
+      files.emplace_back(argv[i]);
+    }
+  }
+  if (files.empty()) {
+    std::fprintf(stderr, "usage: %s [--mutate] FILE-or-DIRECTORY...\n", argv[0]);
+    return 2;
+  }
+  std::sort(files.begin(), files.end());  // directories list in any order
+  for (const auto& file : files) {
+    std::ifstream stream(file, std::ios::binary);
+    const std::vector<char> content{std::istreambuf_iterator<char>(stream), {}};
+    if (!stream) {
+      std::fprintf(stderr, "%s: cannot be read\n", file.c_str());
+      return 2;
+    }
+    const Bytes input(content.begin(), content.end());
+    run(input);
+    if (mutate) run_mutants(input);
+  }
+  std::printf("%zu files, %zu inputs\n", files.size(), runs);
+  return 0;
+}
