@@ -10,22 +10,38 @@ Failure<Fault> fault(Invariant i, std::size_t element) {
   return {Fault{i, static_cast<std::uint32_t>(element)}};
 }
 
-/// Are the arrays triangles glued along edges?
+/// Are the arrays triangles glued along edges? Each invariant everywhere before the next, which may
+/// rely on it.
 std::optional<Fault> check_gluing(std::span<const Vertex> org, std::span<const HalfEdge> twin,
                                   std::uint32_t vertex_count) {
   const auto n = static_cast<std::uint32_t>(org.size());
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const HalfEdge h(i), t = twin[i];
-    const bool dead = !org[half_edge(left(h), 0).index()];
-    if (dead ? bool(org[i]) : org[i].index() >= vertex_count)
-      return Fault{Invariant::origin_is_live, i};
-    if (!t) continue;
-    if (dead || t.index() >= n || !org[t.index()]) return Fault{Invariant::twin_in_range, i};
-    if (t == h || twin[t.index()] != h) return Fault{Invariant::twin_is_mutual, i};
-    if (org[t.index()] != org[lnext(h).index()] || org[lnext(t).index()] != org[i])
-      return Fault{Invariant::twin_is_opposite, i};
-  }
-  return std::nullopt;
+  const auto everywhere = [n](Invariant invariant, auto holds) -> std::optional<Fault> {
+    for (std::uint32_t i = 0; i < n; ++i)
+      if (!holds(HalfEdge(i))) return Fault{invariant, i};
+    return std::nullopt;
+  };
+  const auto org_of = [org](HalfEdge h) { return org[h.index()]; };
+  const auto twin_of = [twin](HalfEdge h) { return twin[h.index()]; };
+
+  auto fault = everywhere(Invariant::origin_is_live, [&](HalfEdge h) {
+    const bool dead = !org_of(half_edge(left(h), 0));
+    return dead ? !org_of(h) : org_of(h).index() < vertex_count;
+  });
+  if (fault) return fault;
+  fault = everywhere(Invariant::twin_in_range, [&](HalfEdge h) {
+    const HalfEdge t = twin_of(h);
+    return !t || (org_of(h) && t.index() < n && org_of(t));
+  });
+  if (fault) return fault;
+  fault = everywhere(Invariant::twin_is_mutual, [&](HalfEdge h) {
+    const HalfEdge t = twin_of(h);
+    return !t || (t != h && twin_of(t) == h);
+  });
+  if (fault) return fault;
+  return everywhere(Invariant::twin_is_opposite, [&](HalfEdge h) {
+    const HalfEdge t = twin_of(h);
+    return !t || (org_of(t) == org_of(lnext(h)) && org_of(lnext(t)) == org_of(h));
+  });
 }
 
 }  // namespace

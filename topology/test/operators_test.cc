@@ -41,7 +41,8 @@ class Pair {
 
   const Surface& surface() const { return surface_; }
   const Oracle& oracle() const { return oracle_; }
-  std::uint64_t done(HandleCase kind) const { return done_[static_cast<unsigned>(kind)]; }
+  std::uint64_t glued(HandleCase kind) const { return glued_[static_cast<unsigned>(kind)]; }
+  std::uint64_t done() const { return done_; }
   std::uint64_t refused() const { return refused_; }
 
   /// Does the step; empty, or what went wrong.
@@ -124,6 +125,7 @@ class Pair {
     const auto f = surface_.create(Point(op.a), Point(op.b), Point(op.a));
     if (!f) return "create was refused";
     oracle_.create(f->index());
+    ++done_;
     if (surface_.characteristic() != before + effect_of_create) return "wrong effect of create";
     if (thorough_) {
       Surface undone = surface_;
@@ -145,6 +147,7 @@ class Pair {
     if (points.ok() != alone) return "destroy of " + std::to_string(f.index()) + " misjudged";
     if (!points) return refuse(before);
     oracle_.destroy(f.index());
+    ++done_;
     if (thorough_) {
       Surface undone = surface_;
       const auto again = undone.create((*points)[0], (*points)[1], (*points)[2]);
@@ -164,7 +167,8 @@ class Pair {
     const Handled kind = surface_.glue(h0, h1);
     if (kind.ok() != allowed) return "glue misjudged";
     if (!kind) return refuse(text);
-    ++done_[static_cast<unsigned>(*kind)];
+    ++done_;
+    ++glued_[static_cast<unsigned>(*kind)];
     oracle_.glue(h0.index(), h1.index());
     if (surface_.characteristic() != before + effect(*kind)) return "wrong effect of glue";
     if (old) {
@@ -186,6 +190,7 @@ class Pair {
     if (kind.ok() != allowed) return "unglue misjudged";
     if (!kind) return refuse(text);
     oracle_.unglue(h.index());
+    ++done_;
     if (surface_.characteristic() != before - effect(*kind)) return "wrong effect of unglue";
     if (old) {
       Surface undone = surface_;
@@ -210,6 +215,7 @@ class Pair {
     if (!f) return refuse(text);
     oracle_.create(f->index());
     oracle_.glue(h.index(), 3 * f->index());
+    done_ += 2;
     if (surface_.org(h) != org) return "attach renamed a vertex of the gate";
     if (surface_.point(surface_.org(half_edge(*f, 2))) != p) return "the apex is on another point";
     if (old) {
@@ -235,6 +241,7 @@ class Pair {
       after -= effect(cut.undone);
     }
     oracle_.destroy(left(h).index());
+    done_ += 1 + done->cuts().size();
     if (surface_.characteristic() != after) return "wrong effect of detach";
     if (old) {
       Surface undone = surface_;
@@ -267,8 +274,8 @@ class Pair {
   bool thorough_;
   std::uint64_t seed_ = 0;
   HalfEdge first_;  // that of the glue under way
-  std::uint64_t done_[handle_case_count] = {};
-  std::uint64_t refused_ = 0;
+  std::uint64_t glued_[handle_case_count] = {};
+  std::uint64_t done_ = 0, refused_ = 0;  // counting the parts of attach and detach
 };
 
 }  // namespace
@@ -278,10 +285,8 @@ namespace rc {
 template <>
 struct Arbitrary<clers::Op> {
   static Gen<clers::Op> arbitrary() {
-    return gen::build<clers::Op>(
-        gen::set(&clers::Op::kind), gen::set(&clers::Op::choice),
-        gen::set(&clers::Op::a, gen::resize(200, gen::arbitrary<std::uint16_t>())),
-        gen::set(&clers::Op::b, gen::resize(200, gen::arbitrary<std::uint16_t>())));
+    return gen::build<clers::Op>(gen::set(&clers::Op::kind), gen::set(&clers::Op::choice),
+                                 gen::set(&clers::Op::a), gen::set(&clers::Op::b));
   }
 };
 }  // namespace rc
@@ -312,46 +317,66 @@ void run(Pair& pair, const std::vector<Op>& ops, std::uint32_t target_faces, std
   }
 }
 
+/// Up to `length` steps; failing sequences shrink by leaving steps out.
+std::vector<Op> sequence(int length) {
+  return *rc::gen::resize(
+      length, rc::gen::container<std::vector<Op>>(rc::gen::resize(200, rc::gen::arbitrary<Op>())));
+}
+
+/// What all the cases of a property did together.
+struct Tally {
+  std::uint64_t done = 0, refused = 0, kinds[handle_case_count] = {};
+
+  void add(const Pair& pair) {
+    done += pair.done();
+    refused += pair.refused();
+    for (unsigned i = 0; i < handle_case_count; ++i) kinds[i] += pair.glued(HandleCase(i));
+  }
+
+  void expect_all_cases() const {
+    for (unsigned i = 0; i < handle_case_count; ++i) {
+      std::printf("%-26s %llu\n", name(HandleCase(i)), static_cast<unsigned long long>(kinds[i]));
+      EXPECT_GT(kinds[i], 0u) << name(HandleCase(i)) << " never happened";
+    }
+    std::printf("operators done %llu, refused %llu\n", static_cast<unsigned long long>(done),
+                static_cast<unsigned long long>(refused));
+    EXPECT_GT(refused, 0u);
+  }
+};
+
 /// Many steps on surfaces that stay small: every one is checked and undone.
-void thorough(std::uint32_t target_faces, std::size_t steps) {
-  std::uint64_t done[handle_case_count] = {}, refused = 0;
+void thorough(std::uint32_t target_faces, int length) {
+  Tally tally;
   EXPECT_TRUE(rc::check([&] {
-    const auto ops = *rc::gen::container<std::vector<Op>>(steps, rc::gen::arbitrary<Op>());
+    const auto ops = sequence(length);
     Pair pair(true);
     run(pair, ops, target_faces, 1);
-    for (unsigned i = 0; i < handle_case_count; ++i) done[i] += pair.done(HandleCase(i));
-    refused += pair.refused();
+    tally.add(pair);
   }));
-  for (unsigned i = 0; i < handle_case_count; ++i)
-    EXPECT_GT(done[i], 0u) << name(HandleCase(i)) << " never happened";
-  EXPECT_GT(refused, 0u);
+  tally.expect_all_cases();
 }
 
 TEST(Operators, EveryStepOnUpTo4Faces) {
-  thorough(4, 150);
+  thorough(4, 300);
 }
 TEST(Operators, EveryStepOnUpTo12Faces) {
-  thorough(12, 200);
+  thorough(12, 400);
 }
 TEST(Operators, EveryStepOnUpTo40Faces) {
-  thorough(40, 100);
+  thorough(40, 200);
 }
 
 TEST(Operators, AMillionSteps) {
-  std::uint64_t done[handle_case_count] = {}, steps = 0;
+  Tally tally;
   EXPECT_TRUE(rc::check([&] {
     const auto target = *rc::gen::element<std::uint32_t>(20, 60, 200, 1000, 4000);
-    const auto ops = *rc::gen::container<std::vector<Op>>(10'000, rc::gen::arbitrary<Op>());
+    const auto ops = sequence(30'000);
     Pair pair(false);
     run(pair, ops, target, 1000);
-    steps += ops.size();
-    for (unsigned i = 0; i < handle_case_count; ++i) done[i] += pair.done(HandleCase(i));
+    tally.add(pair);
   }));
-  EXPECT_GE(steps, 1'000'000u);
-  for (unsigned i = 0; i < handle_case_count; ++i) {
-    EXPECT_GT(done[i], 0u) << name(HandleCase(i)) << " never happened";
-    std::printf("%-26s %llu\n", name(HandleCase(i)), static_cast<unsigned long long>(done[i]));
-  }
+  tally.expect_all_cases();
+  EXPECT_GE(tally.done, 1'000'000u);
 }
 
 }  // namespace
