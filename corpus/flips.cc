@@ -27,7 +27,8 @@ class Flipper {
     const std::uint32_t hn = next_corner(h), hp = prev_corner(h);
     const std::uint32_t tn = next_corner(t), tp = prev_corner(t);
     const std::uint32_t c = corners_[hp], d = corners_[tp];
-    if (c == d || !may_lose_an_edge(h) || !may_lose_an_edge(t) || adjacent(hp, d)) return;
+    // Where a or b has three edges only and none is on a boundary, c d is an edge already.
+    if (c == d || adjacent(hp, d)) return;
 
     // Face of h becomes (d, b, c), face of t becomes (c, a, d); h and t stay twins, now along c d.
     const std::uint32_t bc = twin_[hn], ca = twin_[hp], ad = twin_[tn], db = twin_[tp];
@@ -60,17 +61,6 @@ class Flipper {
         return;
       }
     } while (e != h);
-  }
-
-  // Of the origin of the inner edge h. A boundary vertex keeps its two boundary edges in any case.
-  bool may_lose_an_edge(std::uint32_t h) const {
-    unsigned edges = 0;
-    std::uint32_t e = h;
-    do {
-      ++edges;
-      e = twin_[prev_corner(e)];
-    } while (e != no_twin && e != h && edges < 4);
-    return e == no_twin || edges >= 4;
   }
 
   bool adjacent(std::uint32_t h, std::uint32_t vertex) const {

@@ -76,9 +76,7 @@ class Gluer {
     std::uint32_t from = vertices_.of(h), to = vertices_.of(next_corner(h));
     const std::uint32_t t_from = vertices_.of(t), t_to = vertices_.of(next_corner(t));
     if (!loops_) {
-      // Both ends are united. That closes a loop if one end meets both of h, or a face has corners
-      // at both parts.
-      if (from == t_from || to == t_to) return false;
+      // Both ends are united: from with t_to, to with t_from.
       if (from != t_to && vertices_.share_a_face(from, t_to)) return false;
       if (to != t_from && vertices_.share_a_face(to, t_from)) return false;
     }
