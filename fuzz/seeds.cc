@@ -1,0 +1,95 @@
+// Writes the files that fuzzing starts from: small meshes in every form that the targets take. They
+// are made rather than kept, so that they are always of the current format.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "codec/adjacency.h"
+#include "codec/connectivity.h"
+#include "codec/encode.h"
+#include "codec/io/io.h"
+#include "corpus/generate.h"
+
+namespace {
+
+using namespace clers;
+
+struct Named {
+  std::string name;
+  Mesh mesh;
+};
+
+std::vector<Named> meshes() {
+  const Mesh pieces[] = {corpus::tetrahedron(), corpus::grid(2, 3), corpus::torus(3, 4)};
+  return {{"triangle", corpus::single_triangle()},
+          {"pair", corpus::glued_pair()},
+          {"icosahedron", corpus::icosphere(0)},
+          {"grid", corpus::shuffle(corpus::grid(4, 5), 1)},
+          {"cylinder", corpus::cylinder(5, 2)},
+          {"torus", corpus::flip_edges(corpus::torus(4, 5), 30, 2)},
+          {"holes", corpus::punch_holes(corpus::icosphere(2), 4, 3)},
+          {"pieces", corpus::disjoint_union(pieces)}};
+}
+
+bool write(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+  std::filesystem::create_directories(file.parent_path());
+  std::ofstream out(file, std::ios::binary);
+  out.write(reinterpret_cast<const char*>(bytes.data()),
+            static_cast<std::streamsize>(bytes.size()));
+  return bool(out.flush());
+}
+
+/// Nothing here may fail: the meshes are ours.
+bool write_all(const std::filesystem::path& root) {
+  bool ok = true;
+  std::vector<Mesh> all;
+  for (const auto& [name, mesh] : meshes()) {
+    for (const int level : {1, 5, 9}) {
+      const auto encoded = encode({&mesh, 1}, {level, {}});
+      ok = ok && encoded &&
+           write(root / "decode_any" / (name + "-" + std::to_string(level)), encoded->bytes);
+      auto twins = find_twins(mesh.corners, mesh.vertex_count);
+      const auto connectivity =
+          encode_connectivity({mesh.corners, *twins, mesh.vertex_count}, level);
+      ok = ok && connectivity &&
+           write(root / "decode_connectivity" / (name + "-" + std::to_string(level)),
+                 connectivity->bytes);
+    }
+    const io::Format formats[] = {io::Format::ply, io::Format::obj, io::Format::off,
+                                  io::Format::stl};
+    for (unsigned format = 0; format < 4; ++format)
+      for (const io::Encoding encoding : {io::Encoding::text, io::Encoding::binary}) {
+        const auto written = io::write({&mesh, 1}, formats[format], encoding);
+        if (!written) continue;  // there is no binary OBJ
+        std::vector<std::byte> bytes = {std::byte(format)};
+        bytes.insert(bytes.end(), written->bytes.begin(), written->bytes.end());
+        const char* const kind = encoding == io::Encoding::text ? "text" : "binary";
+        ok = ok && write(root / "read_any" / (name + "-" + std::to_string(format) + kind), bytes);
+      }
+    all.push_back(mesh);
+  }
+  const auto together = encode(all);
+  ok = ok && together && write(root / "decode_any" / "all", together->bytes);
+
+  // round_trip makes its meshes from any bytes: vertices, level, grown or soup, then what to join.
+  for (unsigned kind = 0; kind < 8; ++kind) {
+    std::vector<std::byte> bytes = {std::byte(4 * kind), std::byte(kind), std::byte(kind % 2)};
+    for (unsigned i = 0; i < 40 + 10 * kind; ++i) bytes.push_back(std::byte(i * (37 + 2 * kind)));
+    ok = ok && write(root / "round_trip" / std::to_string(kind), bytes);
+  }
+  return ok;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: %s DIRECTORY\n", argv[0]);
+    return 2;
+  }
+  if (write_all(argv[1])) return 0;
+  std::fprintf(stderr, "%s: cannot make the seeds\n", argv[1]);
+  return 1;
+}
