@@ -6,6 +6,8 @@
 #ifndef CLERS_TOPOLOGY_MIRROR_H
 #define CLERS_TOPOLOGY_MIRROR_H
 
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -54,10 +56,9 @@ class Tracing {
   OperatorTrace trace;
 };
 
-/// Whether to validate after the n-th operator: always at first, then ever more rarely, so that the
-/// cost stays that of a constant number of passes over the surface for each doubling.
+/// Whether to validate after the n-th operator: always at first, then four times for each doubling.
 inline bool is_time_to_validate(std::size_t n) {
-  return n < 512 || n % (n / 8) == 0;
+  return n < 256 || n % (std::bit_floor(n) / 4) == 0;
 }
 
 /// Pairing that applies every operator to a surface.
