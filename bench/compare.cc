@@ -1,0 +1,281 @@
+// compare: size and speed of clers beside Draco, meshoptimizer, OpenCTM and zstd.
+#include <sys/utsname.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <sstream>
+
+#include "bench/heap.h"
+#include "bench/ours.h"
+#include "bench/report.h"
+#include "bench/result.h"
+#include "bench/rivals/draco.h"
+#include "bench/rivals/draco_debian.h"
+#include "bench/rivals/meshopt.h"
+#include "bench/rivals/openctm.h"
+#include "bench/rivals/zstd.h"
+
+namespace clers::bench {
+namespace {
+
+constexpr char usage[] =
+    R"(usage: compare [OPTION]... [MESH or FOLDER]...
+
+Measures size, speed, memory and fidelity of mesh codecs, one thread, taking turns.
+Without a mesh: the folder in $CLERS_CORPUS.
+
+  --modes LIST      of connectivity, q11, q14, q16, lossless (default: all)
+  --codecs LIST     names or beginnings of names: clers, draco, draco-cl7, ... (default: all)
+  --filter TEXT     only meshes whose name contains TEXT
+  --repeats N       samples of each encode and decode (default 15)
+  --min-time S      seconds a sample lasts at least; short runs are repeated (default 0.002)
+  --budget S        seconds for one codec on one mesh, then three samples do (default 0.4)
+  --timeout S       seconds of CPU time for a codec's first run (default 120)
+  --json FILE       the results
+  --html FILE       the results as one page with charts
+  --scaling FILE    what the program scaling wrote, for the page
+  --from FILE       no measuring: make the page from an earlier --json
+)";
+
+struct Arguments {
+  std::vector<Mode> modes{std::begin(all_modes), std::end(all_modes)};
+  std::vector<std::string> codecs, meshes;
+  std::string filter, json, html, scaling, from;
+  Sampling sampling;
+  unsigned timeout = 120;
+};
+
+[[noreturn]] void fail_usage(const std::string& what) {
+  std::cerr << "compare: " << what << "\n" << usage;
+  std::exit(2);
+}
+
+std::vector<std::string> split(const std::string& list) {
+  std::vector<std::string> parts;
+  std::stringstream stream(list);
+  for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
+  return parts;
+}
+
+Mode mode_of(const std::string& text) {
+  for (const Mode mode : all_modes)
+    if (text == name(mode)) return mode;
+  fail_usage("no such mode: " + text);
+}
+
+double number(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !(value >= 0))
+    fail_usage("not a number: " + text);
+  return value;
+}
+
+Arguments parse(int argc, char** argv) {
+  Arguments a;
+  for (int i = 1; i < argc; ++i) {
+    const std::string option = argv[i];
+    const auto value = [&]() -> std::string {
+      if (i + 1 == argc) fail_usage(option + " needs a value");
+      return argv[++i];
+    };
+    if (option == "--help" || option == "-h") {
+      std::cout << usage;
+      std::exit(0);
+    } else if (option == "--modes") {
+      a.modes.clear();
+      for (const std::string& part : split(value())) a.modes.push_back(mode_of(part));
+    } else if (option == "--codecs") {
+      a.codecs = split(value());
+    } else if (option == "--filter") {
+      a.filter = value();
+    } else if (option == "--repeats") {
+      a.sampling.repeats = std::max(1, static_cast<int>(number(value())));
+    } else if (option == "--min-time") {
+      a.sampling.min_sample = number(value());
+    } else if (option == "--budget") {
+      a.sampling.budget = number(value());
+    } else if (option == "--timeout") {
+      a.timeout = static_cast<unsigned>(number(value()));
+    } else if (option == "--json") {
+      a.json = value();
+    } else if (option == "--html") {
+      a.html = value();
+    } else if (option == "--scaling") {
+      a.scaling = value();
+    } else if (option == "--from") {
+      a.from = value();
+    } else if (option.rfind("--", 0) == 0) {
+      fail_usage("no such option: " + option);
+    } else {
+      a.meshes.push_back(option);
+    }
+  }
+  if (a.meshes.empty() && a.from.empty()) {
+    const char* corpus = std::getenv("CLERS_CORPUS");
+    if (!corpus || !*corpus) fail_usage("no mesh given and CLERS_CORPUS is not set");
+    a.meshes.push_back(corpus);
+  }
+  return a;
+}
+
+std::vector<CodecEntry> all_codecs() {
+  std::vector<CodecEntry> all;
+  for (std::vector<CodecEntry> some : {clers_codecs(), draco_codecs(), draco_debian_codecs(),
+                                       meshopt_codecs(), openctm_codecs(), zstd_codecs()})
+    all.insert(all.end(), std::make_move_iterator(some.begin()),
+               std::make_move_iterator(some.end()));
+  return all;
+}
+
+bool wanted(const CodecEntry& entry, const std::vector<std::string>& names) {
+  for (const std::string& n : names)
+    if (entry.name.rfind(n, 0) == 0) return true;
+  return names.empty();
+}
+
+std::string processor() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
+  return "unknown processor";
+}
+
+Setting setting(const Sampling& sampling) {
+  utsname system{};
+  uname(&system);
+  Setting s;
+  s.machine = processor();
+  s.system = std::string(system.sysname) + " " + system.release + " " + system.machine;
+#ifdef __clang__
+  s.compiler = "clang " __clang_version__;
+#else
+  s.compiler = "g++ " __VERSION__;
+#endif
+  s.flags = CLERS_BENCH_FLAGS;
+  s.versions = {{"clers", CLERS_BENCH_VERSION},
+                {"draco", draco_version() + " (" CLERS_BENCH_DRACO_BUILD ")"},
+                {"draco-debian", draco_debian_version()},
+                {"meshoptimizer", meshopt_version()},
+                {"openctm", openctm_version()},
+                {"zstd", zstd_version()}};
+  s.sampling = sampling;
+  return s;
+}
+
+// All codecs on one mesh in one mode.
+std::vector<Result> measure(const Input& input, Mode mode, const std::vector<CodecEntry>& entries,
+                            const Arguments& arguments) {
+  std::vector<Result> rows;
+  std::vector<std::unique_ptr<Codec>> codecs;
+  std::vector<Task> encodes, decodes;
+  std::vector<std::size_t> row_of;  // of each codec that is timed
+  for (const CodecEntry& entry : entries) {
+    if (std::find(entry.modes.begin(), entry.modes.end(), mode) == entry.modes.end()) continue;
+    Result r;
+    r.mesh = input.name;
+    r.family = input.family;
+    r.codec = entry.name;
+    r.mode = mode;
+    r.triangles = input.triangle_count();
+    r.vertices = input.vertex_count;
+    r.manifold = input.manifold;
+    r.fanned = input.fanned;
+    r.trial = try_codec(entry, input, mode, arguments.timeout);
+    rows.push_back(std::move(r));
+    if (rows.back().failed()) continue;
+    codecs.push_back(entry.make());
+    Codec* codec = codecs.back().get();
+    codec->prepare(input, mode);
+    row_of.push_back(rows.size() - 1);
+    encodes.push_back({[codec] { codec->encode(); }, [] {}});
+    decodes.push_back({[codec] { codec->decode(); }, [codec] { codec->discard(); }});
+  }
+  const std::vector<Timing> encode = time_in_turns(encodes, arguments.sampling);
+  const std::vector<Timing> decode = time_in_turns(decodes, arguments.sampling);
+  for (std::size_t i = 0; i < row_of.size(); ++i) {
+    rows[row_of[i]].encode = encode[i];
+    rows[row_of[i]].decode = decode[i];
+  }
+  return rows;
+}
+
+std::string read_text(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw std::runtime_error(file + ": cannot be read");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write_text(const std::string& file, const std::string& text) {
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
+}
+
+std::vector<Result> measure_all(const Arguments& arguments) {
+  keep_heap_warm();
+  std::vector<CodecEntry> entries;
+  for (CodecEntry& entry : all_codecs())
+    if (wanted(entry, arguments.codecs)) entries.push_back(std::move(entry));
+  if (entries.empty()) fail_usage("no such codec");
+
+  const auto files = list_files(arguments.meshes);
+  std::vector<Result> results;
+  std::size_t done = 0;
+  for (const auto& file : files) {
+    ++done;
+    if (file.string().find(arguments.filter) == std::string::npos) continue;
+    try {
+      const Input input = read_input(file);
+      for (const Mode mode : arguments.modes) {
+        std::cerr << "[" << done << "/" << files.size() << "] " << input.name << " " << name(mode)
+                  << "\n";
+        std::vector<Result> rows = measure(input, mode, entries, arguments);
+        print_rows(std::cout, rows);
+        std::move(rows.begin(), rows.end(), std::back_inserter(results));
+      }
+    } catch (const std::exception& e) {
+      std::cerr << "compare: " << file.string() << " left out: " << e.what() << "\n";
+    }
+  }
+  return results;
+}
+
+int run(int argc, char** argv) {
+  const Arguments arguments = parse(argc, argv);
+  std::string json;
+  if (!arguments.from.empty()) {
+    json = read_text(arguments.from);
+  } else {
+    const Setting s = setting(arguments.sampling);
+    std::cout << s.machine << ", " << s.system << ", " << s.compiler << ", " << s.flags << "\n";
+    for (const auto& [what, version] : s.versions) std::cout << what << " " << version << "\n";
+    const std::vector<Result> results = measure_all(arguments);
+    print_means(std::cout, results);
+    std::ostringstream text;
+    write_json(text, s, results);
+    json = text.str();
+  }
+  if (!arguments.json.empty()) write_text(arguments.json, json);
+  if (!arguments.html.empty())
+    write_text(arguments.html,
+               report_page(json, arguments.scaling.empty() ? "" : read_text(arguments.scaling)));
+  return 0;
+}
+
+}  // namespace
+}  // namespace clers::bench
+
+int main(int argc, char** argv) {
+  try {
+    return clers::bench::run(argc, argv);
+  } catch (const std::exception& e) {
+    std::cerr << "compare: " << e.what() << "\n";
+    return 1;
+  }
+}
