@@ -6,7 +6,8 @@ const fs = require('fs');
 const path = require('path');
 const zlib = require('zlib');
 
-// Inline binary data: base64 of [blocks, block size, last size, compressed sizes..] (u32), then base64 of the blocks.
+// Inline binary data: base64 of [blocks, block size, last size, compressed sizes..] (u32), then
+// base64 of the blocks.
 function vtkArray(xml, section, name) {
   const at = xml.indexOf(`Name="${name}"`, xml.indexOf(`<${section}>`));
   const type = xml.slice(xml.lastIndexOf('<DataArray', at), at).match(/type="(\w+)"/)[1];
@@ -54,7 +55,8 @@ function ply({positions, corners}) {
   const vertices = Buffer.alloc(4 * positions.length);
   positions.forEach((value, i) => vertices.writeFloatLE(value, 4 * i));
   const faces = Buffer.alloc(13 * (corners.length / 3), 3);
-  corners.forEach((value, i) => faces.writeInt32LE(value, 13 * Math.floor(i / 3) + 1 + 4 * (i % 3)));
+  corners.forEach(
+      (value, i) => faces.writeInt32LE(value, 13 * Math.floor(i / 3) + 1 + 4 * (i % 3)));
   return Buffer.concat([header, vertices, faces]);
 }
 
