@@ -4,6 +4,7 @@
 #define CLERS_CODEC_CLERS_H
 
 #include <cstdint>
+#include <type_traits>
 
 namespace clers {
 
@@ -17,6 +18,10 @@ namespace clers {
 ///      C: v new      R             L          S: v visited, E: all
 ///                                             sides not      visited
 enum class Clers : std::uint8_t { C = 0, R = 1, L = 2, S = 3, E = 4 };
+
+/// A letter as a type, for code that is generated for each.
+template <Clers letter>
+using Letter = std::integral_constant<Clers, letter>;
 
 /// What the glue of an S means when it is not the usual join of two components (1a).
 enum class SpecialS : std::uint8_t {

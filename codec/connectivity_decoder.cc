@@ -15,28 +15,17 @@ constexpr std::uint64_t max_symbols_per_byte = 16384;
 
 const char* explain(Broken broken) {
   switch (broken) {
-    case Broken::none:
-      break;
-    case Broken::too_many_vertices:
-      return "more vertices than declared";
-    case Broken::c_on_two_edges:
-      return "C where the boundary curve has two edges";
-    case Broken::s_without_gate:
-      return "S without a part to join";
-    case Broken::curve_too_short:
-      return "a handle on a boundary curve that is too short for it";
-    case Broken::position:
-      return "a hole or handle outside its boundary curve";
-    case Broken::waiting_curve:
-      return "a handle with one end";
-    case Broken::gate_left:
-      return "parts that no S joins";
-    case Broken::vertex_count:
-      return "fewer vertices than declared";
-    case Broken::work:
-      return "more steps along boundary curves than allowed";
-    case Broken::stream:
-      return "the symbols end too early";
+    case Broken::none: break;
+    case Broken::too_many_vertices: return "more vertices than declared";
+    case Broken::c_on_two_edges: return "C where the boundary curve has two edges";
+    case Broken::s_without_gate: return "S without a part to join";
+    case Broken::curve_too_short: return "a handle on a boundary curve that is too short for it";
+    case Broken::position: return "a hole or handle outside its boundary curve";
+    case Broken::waiting_curve: return "a handle with one end";
+    case Broken::gate_left: return "parts that no S joins";
+    case Broken::vertex_count: return "fewer vertices than declared";
+    case Broken::work: return "more steps along boundary curves than allowed";
+    case Broken::stream: return "the symbols end too early";
   }
   return "";
 }

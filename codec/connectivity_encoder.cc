@@ -35,7 +35,7 @@ class RecordingSource {
         building_(building),
         faces_(static_cast<std::uint32_t>(traversal.gates.size())),
         index_(faces_) {
-    contexts.reserve(faces_);
+    contexts.resize(faces_);
     next_start_ = traversal.starts.size();
     next_special_ = traversal.specials.size();
     if (!traversal.specials.empty()) {
@@ -47,9 +47,16 @@ class RecordingSource {
   }
 
   void first() { step(0); }
-  Clers symbol(std::uint32_t kx) {
+  template <class Then>
+  [[gnu::always_inline]] auto symbol(std::uint32_t kx, Then then) {
     step(kx);
-    return traversal_.letters[index_];
+    switch (traversal_.letters[index_]) {
+      case Clers::C: return then(Letter<Clers::C>());
+      case Clers::R: return then(Letter<Clers::R>());
+      case Clers::L: return then(Letter<Clers::L>());
+      case Clers::S: return then(Letter<Clers::S>());
+      default: return then(Letter<Clers::E>());
+    }
   }
   bool overrun() const { return false; }
 
@@ -123,9 +130,8 @@ class RecordingSource {
 
   void step(std::uint32_t kx) {
     --index_;
-    contexts.push_back(
-        static_cast<std::uint8_t>(std::min(kx, SymbolModel::max_valence) << 3 |
-                                  static_cast<unsigned>(traversal_.letters[index_])));
+    contexts[done()] = static_cast<std::uint8_t>(std::min(kx, SymbolModel::max_valence) << 3 |
+                                                 static_cast<unsigned>(traversal_.letters[index_]));
   }
   std::uint32_t done() const { return faces_ - 1 - index_; }
 
@@ -179,16 +185,12 @@ class EventWriter {
   template <class Coder>
   void write(const Event& e, Coder& coder) {
     switch (e.kind) {
-      case Event::Kind::new_component:
-        model_.new_component(coder, e.value);
-        break;
+      case Event::Kind::new_component: model_.new_component(coder, e.value); break;
       case Event::Kind::closed:
         model_.closed(coder, e.value);
         closed += e.value;
         break;
-      case Event::Kind::special:
-        model_.special(coder, e.value);
-        break;
+      case Event::Kind::special: model_.special(coder, e.value); break;
       case Event::Kind::split: {
         const SpecialS kind = joined_[e.curve] ? SpecialS::split : SpecialS::hole;
         model_.kind(coder, !waiting_.empty(), kind);
@@ -232,22 +234,33 @@ std::uint32_t cost(std::uint32_t size) {
   return (15 - exponent) * 256 - (mantissa >> 7);
 }
 
-/// The history length that codes these symbols in the fewest bits.
+/// The history length that codes these symbols in the fewest bits, judged by a part of them at the
+/// front: the first quarter of that part is for learning when there is more behind it.
 unsigned choose_history(std::span<const std::uint8_t> contexts, int level) {
-  constexpr unsigned candidates[] = {1, 3, 4, 6};
+  constexpr std::size_t judged = 1u << 16;
+  struct Candidate {
+    unsigned history;
+    std::size_t least_symbols;  ///< fewer do not pay for clearing its table
+  };
+  constexpr Candidate candidates[] = {{1, 0}, {3, 64}, {4, 1024}, {6, 1u << 15}};
   if (level < 3) return 3;
+  const std::size_t end = std::min(contexts.size(), judged);
+  const std::size_t begin = end < contexts.size() ? end / 4 : 1;
   unsigned best = 1;
   std::uint64_t least = ~std::uint64_t(0);
-  for (const unsigned k : candidates) {
-    if (contexts.size() < 64 && k > 1) break;
-    SymbolModel model(k);
+  for (const auto [history, least_symbols] : candidates) {
+    if (contexts.size() < least_symbols) break;
+    SymbolModel model(history);
     if (!model.ok()) throw std::bad_alloc();
     std::uint64_t total = 0;
-    for (std::size_t i = 1; i < contexts.size(); ++i)
-      total += cost(model.encode(static_cast<Clers>(contexts[i] & 7), contexts[i] >> 3).size);
+    for (std::size_t i = 1; i < end; ++i) {
+      const rans::Interval interval =
+          model.encode(static_cast<Clers>(contexts[i] & 7), contexts[i] >> 3);
+      if (i >= begin) total += cost(interval.size);
+    }
     if (total < least) {
       least = total;
-      best = k;
+      best = history;
     }
   }
   return best;
@@ -330,7 +343,7 @@ Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorT
     if (i > 0) {
       const std::uint8_t c = source.contexts[i];
       const rans::Interval interval = model.encode(static_cast<Clers>(c & 7), c >> 3);
-      stream.put(interval.start, interval.size);
+      stream.put(interval);
     }
     if (events.next_symbol() == i) events.write_after(i, coder);
   }

@@ -13,12 +13,9 @@ namespace {
 
 std::uint64_t values_of(const Mesh& mesh, Domain domain) {
   switch (domain) {
-    case Domain::vertex:
-      return mesh.vertex_count;
-    case Domain::corner:
-      return mesh.corners.size();
-    case Domain::face:
-      return mesh.face_count();
+    case Domain::vertex: return mesh.vertex_count;
+    case Domain::corner: return mesh.corners.size();
+    case Domain::face: return mesh.face_count();
   }
   return 0;
 }

@@ -36,15 +36,9 @@ Expected<MeshSections::AttributeSection> read_attribute(const Section& section,
   if (!header) return Failure{header.error()};
   MeshSections::AttributeSection result{*header, section.payload, section.at, 0};
   switch (header->attribute.domain) {
-    case Domain::vertex:
-      result.count = mesh.vertices;
-      break;
-    case Domain::corner:
-      result.count = 3 * std::uint64_t(mesh.connectivity.faces);
-      break;
-    case Domain::face:
-      result.count = mesh.connectivity.faces;
-      break;
+    case Domain::vertex: result.count = mesh.vertices; break;
+    case Domain::corner: result.count = 3 * std::uint64_t(mesh.connectivity.faces); break;
+    case Domain::face: result.count = mesh.connectivity.faces; break;
   }
   return result;
 }
@@ -90,8 +84,7 @@ Expected<std::vector<MeshSections>> read_meshes(ContainerReader& file, const Lim
         meshes.back().name.assign(reinterpret_cast<const char*>(section->payload.data()),
                                   section->payload.size());
         break;
-      case SectionKind::end:
-        break;
+      case SectionKind::end: break;
     }
   }
   if (file.meshes() != meshes.size())

@@ -26,8 +26,9 @@ struct Interval {
 class Encoder {
  public:
   void reserve(std::size_t n) { intervals_.reserve(n); }
+  void put(Interval interval) { intervals_.push_back(interval); }
   void put(std::uint32_t start, std::uint32_t size) {
-    intervals_.push_back({static_cast<std::uint16_t>(start), static_cast<std::uint16_t>(size)});
+    put({static_cast<std::uint16_t>(start), static_cast<std::uint16_t>(size)});
   }
 
   /// Appends the stream: the state, then the words. Cost: one division an interval.

@@ -77,7 +77,7 @@ class SpiraleReversi {
     std::uint32_t* out = to_.corners.data() + to_.corners.size();
     FrontLink* const links = to_.links.data();
     steps_left_ = allowed_steps(faces);
-    std::uint32_t made = 0;
+    std::uint32_t made = 0, finished = 0;
     typename Surface::Corners c;
     Front<Pairing> front = front_;
 
@@ -88,44 +88,52 @@ class SpiraleReversi {
     write(out -= 3, c);
 
     for (std::uint32_t i = 1; i < faces; ++i) {
-      switch (source_.symbol(gate.kx)) {
-        case Clers::C: {
-          const std::uint32_t x = gate.x;
-          if (front.prev(x) == gate.y) return {Broken::c_on_two_edges, i};
-          gate = front.attach_zip(gate, Face(i), c);
-          links[x].prev = to_.finished++;
-          break;
-        }
-        case Clers::R:
-          if (made == ids) return {Broken::too_many_vertices, i};
-          gate = front.attach_keep_right(gate, Face(i), made++, c);
-          break;
-        case Clers::L:
-          if (made == ids) return {Broken::too_many_vertices, i};
-          gate = front.attach_keep_left(gate, Face(i), made++, c);
-          break;
-        case Clers::S: {
-          const Broken broken = s(gate, Face(i), c);
-          if (broken != Broken::none) return {broken, i};
-          break;
-        }
-        case Clers::E: {
-          if (source_.overrun()) return {Broken::stream, i};
-          if (ids - made < 3) return {Broken::too_many_vertices, i};
-          if (!aside_.empty() || !source_.new_component()) {
-            aside_.push_back(gate);
-          } else if (!end_component(gate)) {
-            return {Broken::waiting_curve, i};
-          }
-          gate = front.create(Face(i), made, c);
-          made += 3;
-          break;
-        }
-      }
+      const Broken broken = source_.symbol(
+          gate.kx, [&](auto letter) __attribute__((always_inline)) {
+            if constexpr (letter() == Clers::C) {
+              const std::uint32_t x = gate.x;
+              if (front.prev(x) == gate.y) return Broken::c_on_two_edges;
+              gate = front.attach_zip(gate, Face(i), c);
+              links[x].prev = finished++;
+            } else if constexpr (letter() == Clers::R) {
+              if (made == ids) return Broken::too_many_vertices;
+              gate = front.attach_keep_right(gate, Face(i), made++, c);
+            } else if constexpr (letter() == Clers::L) {
+              if (made == ids) return Broken::too_many_vertices;
+              gate = front.attach_keep_left(gate, Face(i), made++, c);
+            } else if constexpr (letter() == Clers::S) {
+              if (!aside_.empty() && !source_.special()) {
+                const Gate left = aside_.back();
+                aside_.pop_back();
+                gate = glue(gate, Face(i), left.x, left.kx, left.y, left.ky, left.edge,
+                            HandleCase::join_components, c);
+              } else {
+                const Step step = special(gate, Face(i));
+                if (step.broken != Broken::none) return step.broken;
+                gate = step.gate;
+                c = step.corners;
+              }
+            } else {
+              if (source_.overrun()) return Broken::stream;
+              if (ids - made < 3) return Broken::too_many_vertices;
+              if (!aside_.empty() || !source_.new_component()) {
+                aside_.push_back(gate);
+              } else if (!waiting_is_over()) {
+                return Broken::waiting_curve;
+              } else {
+                finished = end_component(gate, finished);
+              }
+              gate = front.create(Face(i), made, c);
+              made += 3;
+            }
+            return Broken::none;
+          });
+      if (broken != Broken::none) return {broken, i};
       write(out -= 3, c);
     }
     if (!aside_.empty()) return {Broken::gate_left, faces};
-    if (!end_component(gate)) return {Broken::waiting_curve, faces};
+    if (!waiting_is_over()) return {Broken::waiting_curve, faces};
+    to_.finished = end_component(gate, finished);
     if (made != ids) return {Broken::vertex_count, faces};
     return {};
   }
@@ -137,19 +145,30 @@ class SpiraleReversi {
     out[2] = c.v;
   }
 
-  /// S: attach and glue; to the gate put aside last (1a), to an edge of the same curve (1b), or to
-  /// one of a curve split off before (1c).
-  Broken s(Gate& gate, Face f, typename Surface::Corners& c) {
-    if (!aside_.empty() && !source_.special()) {
-      const Gate left = aside_.back();
-      aside_.pop_back();
-      glue(gate, f, left.x, left.kx, left.y, left.ky, left.edge, HandleCase::join_components, c);
-      return Broken::none;
-    }
+  struct Step {
+    Broken broken = Broken::none;
+    Gate gate;
+    typename Surface::Corners corners;
+  };
+
+  /// S that does not join to the gate put aside last: to an edge of the same curve (1b), or to one
+  /// of a curve split off before (1c). Rare and long, so it works on copies.
+  [[gnu::noinline]] Step special(Gate gate, Face f) {
+    std::uint32_t q = 0;
+    HandleCase as = HandleCase::split_curve;
+    const Broken broken = special_vertex(gate, q, as);
+    if (broken != Broken::none) return {broken, gate, {}};
+    const std::uint32_t p = to_.links[q].prev;
+    Step step;
+    step.gate = glue(gate, f, p, to_.links[p].valence, q, to_.links[q].valence, front_.edge_into(q),
+                     as, step.corners);
+    return step;
+  }
+
+  /// The end q of the edge that a special S glues to.
+  Broken special_vertex(Gate gate, std::uint32_t& q, HandleCase& as) {
     if (source_.overrun()) return Broken::stream;
     FrontLink* const links = to_.links.data();
-    std::uint32_t q;
-    HandleCase as = HandleCase::split_curve;
     switch (source_.kind(front_, gate, waiting_)) {
       case SpecialS::hole: {
         // The ring of the hole is its length; it is never touched again.
@@ -185,11 +204,7 @@ class SpiraleReversi {
         as = HandleCase::join_curves;
         break;
       }
-      default:
-        return Broken::position;
     }
-    const std::uint32_t p = links[q].prev;
-    glue(gate, f, p, links[p].valence, q, links[q].valence, front_.edge_into(q), as, c);
     return Broken::none;
   }
 
@@ -206,41 +221,44 @@ class SpiraleReversi {
     return to_.links[q].prev == gate.y ? Broken::position : Broken::none;
   }
 
-  void glue(Gate& gate, Face f, std::uint32_t p, std::uint32_t kp, std::uint32_t q,
-            std::uint32_t kq, typename Pairing::Edge pq, HandleCase as,
-            typename Surface::Corners& c) {
-    const std::uint32_t x = gate.x;
-    gate = front_.attach_glue(gate, f, p, kp, q, kq, pq, as, c);
-    to_.links[x] = {q, merged_away};
-    to_.merged.push_back(x);
+  Gate glue(Gate gate, Face f, std::uint32_t p, std::uint32_t kp, std::uint32_t q, std::uint32_t kq,
+            typename Pairing::Edge pq, HandleCase as, typename Surface::Corners& c) {
+    const Gate next = front_.attach_glue(gate, f, p, kp, q, kq, pq, as, c);
+    to_.links[gate.x] = {q, merged_away};
+    to_.merged.push_back(gate.x);
+    return next;
   }
 
-  /// What is left of the boundary is final: the holes, and the curve of the gate.
-  bool end_component(Gate gate) {
+  /// Whether every curve split off for a handle has been joined.
+  bool waiting_is_over() {
     if constexpr (Source::resolves) {  // now it is known which curves no S joined
       holes_.swap(waiting_);
       waiting_.clear();
     }
-    if (!waiting_.empty()) return false;
+    return waiting_.empty();
+  }
+
+  /// What is left of the boundary is final: the holes, and the curve of the gate. Returns how many
+  /// vertices are finished now.
+  [[gnu::noinline]] std::uint32_t end_component(Gate gate, std::uint32_t finished) {
     if (front_.prev(gate.x) == gate.y && source_.closed()) front_.close(gate);
-    for (const std::uint32_t hole : holes_) finish_curve(hole, hole);
+    for (const std::uint32_t hole : holes_) finished = finish_curve(hole, hole, finished);
     holes_.clear();
-    finish_curve(gate.x, gate.y);
-    finish(gate.y);
+    finished = finish_curve(gate.x, gate.y, finished);
+    to_.links[gate.y].prev = finished++;
     source_.component_ended();
-    return true;
+    return finished;
   }
 
   /// Finishes the vertices from v back to `last`, which is finished only when v is `last` itself.
-  void finish_curve(std::uint32_t v, std::uint32_t last) {
+  std::uint32_t finish_curve(std::uint32_t v, std::uint32_t last, std::uint32_t finished) {
     do {
       const std::uint32_t before = to_.links[v].prev;
-      finish(v);
+      to_.links[v].prev = finished++;
       v = before;
     } while (v != last);
+    return finished;
   }
-
-  void finish(std::uint32_t v) { to_.links[v].prev = to_.finished++; }
 
   bool spend(std::uint64_t steps) {
     if constexpr (Source::resolves) return true;

@@ -27,10 +27,13 @@ class StreamSource {
     ++counts.components;
     ++counts.letters[static_cast<unsigned>(Clers::E)];
   }
-  Clers symbol(std::uint32_t kx) {
-    const Clers letter = symbols_.decode(in_, kx);
-    ++counts.letters[static_cast<unsigned>(letter)];
-    return letter;
+  template <class Then>
+  [[gnu::always_inline]] auto symbol(std::uint32_t kx, Then then) {
+    return symbols_.decode(
+        in_, kx, [&](auto letter) __attribute__((always_inline)) {
+          ++counts.letters[static_cast<unsigned>(letter())];
+          return then(letter);
+        });
   }
   bool overrun() const { return in_.overrun(); }
   bool finished() const { return in_.finished(); }
