@@ -21,14 +21,10 @@ constexpr bool is_float(Scalar s) {
 template <class F>
 auto with_word(Scalar s, F f) {
   switch (size_of(s)) {
-    case 1:
-      return f(std::uint8_t());
-    case 2:
-      return f(std::uint16_t());
-    case 4:
-      return f(std::uint32_t());
-    default:
-      return f(std::uint64_t());
+    case 1: return f(std::uint8_t());
+    case 2: return f(std::uint16_t());
+    case 4: return f(std::uint32_t());
+    default: return f(std::uint64_t());
   }
 }
 

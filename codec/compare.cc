@@ -90,12 +90,9 @@ struct Side {
 
 std::size_t domain_size(const Mesh& mesh, Domain domain) {
   switch (domain) {
-    case Domain::vertex:
-      return mesh.vertex_count;
-    case Domain::corner:
-      return mesh.corners.size();
-    case Domain::face:
-      return mesh.face_count();
+    case Domain::vertex: return mesh.vertex_count;
+    case Domain::corner: return mesh.corners.size();
+    case Domain::face: return mesh.face_count();
   }
   return 0;
 }
@@ -722,10 +719,8 @@ Comparison compare(const Mesh& a, const Mesh& b) {
     case Verdict::different:
       return differ("no face of the second mesh is connected as face " +
                     std::to_string(search.failed_face()) + " of the first");
-    case Verdict::undecided:
-      return {Verdict::undecided, "too many renumberings to try"};
-    case Verdict::same:
-      break;
+    case Verdict::undecided: return {Verdict::undecided, "too many renumberings to try"};
+    case Verdict::same: break;
   }
   if (auto what = check(first, second, search.image())) return {Verdict::undecided, *what};
   return {Verdict::same, {}};

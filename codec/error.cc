@@ -4,46 +4,26 @@ namespace clers {
 
 const char* name(ErrorCode code) {
   switch (code) {
-    case ErrorCode::inconsistent_mesh:
-      return "inconsistent_mesh";
-    case ErrorCode::polygon:
-      return "polygon";
-    case ErrorCode::repeated_vertex:
-      return "repeated_vertex";
-    case ErrorCode::nonmanifold_edge:
-      return "nonmanifold_edge";
-    case ErrorCode::nonmanifold_vertex:
-      return "nonmanifold_vertex";
-    case ErrorCode::nonorientable:
-      return "nonorientable";
-    case ErrorCode::too_large:
-      return "too_large";
-    case ErrorCode::bad_option:
-      return "bad_option";
-    case ErrorCode::not_clers:
-      return "not_clers";
-    case ErrorCode::unsupported_version:
-      return "unsupported_version";
-    case ErrorCode::truncated:
-      return "truncated";
-    case ErrorCode::trailing_bytes:
-      return "trailing_bytes";
-    case ErrorCode::corrupt:
-      return "corrupt";
-    case ErrorCode::invalid:
-      return "invalid";
-    case ErrorCode::limit:
-      return "limit";
-    case ErrorCode::out_of_memory:
-      return "out_of_memory";
-    case ErrorCode::io_failed:
-      return "io_failed";
-    case ErrorCode::malformed:
-      return "malformed";
-    case ErrorCode::unsupported:
-      return "unsupported";
-    case ErrorCode::internal:
-      return "internal";
+    case ErrorCode::inconsistent_mesh: return "inconsistent_mesh";
+    case ErrorCode::polygon: return "polygon";
+    case ErrorCode::repeated_vertex: return "repeated_vertex";
+    case ErrorCode::nonmanifold_edge: return "nonmanifold_edge";
+    case ErrorCode::nonmanifold_vertex: return "nonmanifold_vertex";
+    case ErrorCode::nonorientable: return "nonorientable";
+    case ErrorCode::too_large: return "too_large";
+    case ErrorCode::bad_option: return "bad_option";
+    case ErrorCode::not_clers: return "not_clers";
+    case ErrorCode::unsupported_version: return "unsupported_version";
+    case ErrorCode::truncated: return "truncated";
+    case ErrorCode::trailing_bytes: return "trailing_bytes";
+    case ErrorCode::corrupt: return "corrupt";
+    case ErrorCode::invalid: return "invalid";
+    case ErrorCode::limit: return "limit";
+    case ErrorCode::out_of_memory: return "out_of_memory";
+    case ErrorCode::io_failed: return "io_failed";
+    case ErrorCode::malformed: return "malformed";
+    case ErrorCode::unsupported: return "unsupported";
+    case ErrorCode::internal: return "internal";
   }
   return "unknown";
 }
