@@ -67,8 +67,7 @@ void append_positions(const Mesh& mesh, Input& input) {
       return append_values<float>(*position, mesh.vertex_count, input.positions);
     case Scalar::float64:
       return append_values<double>(*position, mesh.vertex_count, input.positions);
-    default:
-      throw std::runtime_error("has positions that are not floating point");
+    default: throw std::runtime_error("has positions that are not floating point");
   }
 }
 
@@ -133,7 +132,6 @@ Input make_input(std::string name, std::uint32_t vertex_count, std::vector<std::
   input.vertex_count = vertex_count;
   input.triangles = std::move(triangles);
   input.positions = std::move(positions);
-  input.manifold = is_oriented_manifold(vertex_count, input.triangles);
   input.mesh.vertex_count = vertex_count;
   input.mesh.corners = input.triangles;
   Attribute position;
@@ -163,6 +161,7 @@ Input read_input(const fs::path& file) {
   Input input =
       make_input(stem(file), raw.vertex_count, std::move(raw.triangles), std::move(raw.positions));
   input.fanned = raw.fanned;
+  input.manifold = is_oriented_manifold(input.vertex_count, input.triangles);
   return input;
 }
 

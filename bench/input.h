@@ -27,7 +27,7 @@ struct Input {
   std::size_t triangle_count() const { return triangles.size() / 3; }
 };
 
-/// Makes an input of triangles; sets everything but the file's particulars.
+/// Makes an input of triangles. What only a file tells stays unset, and so does `manifold`.
 Input make_input(std::string name, std::uint32_t vertex_count, std::vector<std::uint32_t> triangles,
                  std::vector<float> positions);
 
