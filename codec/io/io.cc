@@ -68,14 +68,10 @@ std::optional<Format> format_of(std::string_view name) {
 
 Expected<ReadResult> read(std::span<const std::byte> bytes, Format format) {
   switch (format) {
-    case Format::ply:
-      return read_ply(as_text(bytes));
-    case Format::obj:
-      return read_obj(as_text(bytes));
-    case Format::off:
-      return read_off(as_text(bytes));
-    case Format::stl:
-      return read_stl(as_text(bytes));
+    case Format::ply: return read_ply(as_text(bytes));
+    case Format::obj: return read_obj(as_text(bytes));
+    case Format::off: return read_off(as_text(bytes));
+    case Format::stl: return read_stl(as_text(bytes));
   }
   return fail(ErrorCode::unsupported, "expected a known format");
 }
@@ -99,10 +95,8 @@ Expected<WriteResult> write(std::span<const Mesh> meshes, Format format,
     switch (format) {
       case Format::ply:
         return write_ply(meshes[0], encoding.value_or(Encoding::binary), out, notes);
-      case Format::obj:
-        return write_obj(meshes, out, notes);
-      case Format::off:
-        return write_off(meshes[0], out, notes);
+      case Format::obj: return write_obj(meshes, out, notes);
+      case Format::off: return write_off(meshes[0], out, notes);
       case Format::stl:
         return write_stl(meshes[0], encoding.value_or(Encoding::binary), out, notes);
     }

@@ -61,12 +61,11 @@ double half_step(double value) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) & exponent) * 0x1p-53;
 }
 
-// Without sign, point, exponent and the zeros around.
+// Without sign, point, exponent and leading zeros.
 std::string digits_that_count(std::string_view text) {
   std::string digits;
   for (const char c : text.substr(0, text.find_first_of("eE")))
     if (c >= '0' && c <= '9' && (c != '0' || !digits.empty())) digits += c;
-  digits.erase(digits.find_last_not_of('0') + 1);
   return digits;
 }
 
@@ -77,7 +76,9 @@ bool is_decimal_of(const Decimal& value, std::string_view text) {
   if (off <= half_unit_of_last_digit(text) + half_step(value.wide)) return true;
   // Below a power of two float32 lie denser, so that its shortest text may be off by more.
   char shortest[64];
-  const char* end = std::to_chars(shortest, shortest + sizeof shortest, value.narrow).ptr;
+  const char* end = std::to_chars(shortest, shortest + sizeof shortest, value.narrow,
+                                  std::chars_format::scientific)
+                        .ptr;
   return digits_that_count(text) ==
          digits_that_count({shortest, static_cast<std::size_t>(end - shortest)});
 }
@@ -98,7 +99,7 @@ void print_untyped(Output& out, double value) {
     out << shortest;
     return;
   }
-  end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 17).ptr;
+  end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific, 16).ptr;
   out << std::string_view(text, static_cast<std::size_t>(end - text));
 }
 
@@ -141,26 +142,16 @@ Attribute Numbers::take(std::string name, Domain domain, unsigned components) {
 
 void print(Output& out, const Attribute& attribute, std::size_t index) {
   switch (attribute.scalar) {
-    case Scalar::int8:
-      return out.number<int>(value_at<std::int8_t>(attribute, index));
-    case Scalar::uint8:
-      return out.number<int>(value_at<std::uint8_t>(attribute, index));
-    case Scalar::int16:
-      return out.number<int>(value_at<std::int16_t>(attribute, index));
-    case Scalar::uint16:
-      return out.number<int>(value_at<std::uint16_t>(attribute, index));
-    case Scalar::int32:
-      return out.number(value_at<std::int32_t>(attribute, index));
-    case Scalar::uint32:
-      return out.number(value_at<std::uint32_t>(attribute, index));
-    case Scalar::int64:
-      return out.number(value_at<std::int64_t>(attribute, index));
-    case Scalar::uint64:
-      return out.number(value_at<std::uint64_t>(attribute, index));
-    case Scalar::float32:
-      return out.number(value_at<float>(attribute, index));
-    case Scalar::float64:
-      return out.number(value_at<double>(attribute, index));
+    case Scalar::int8: return out.number<int>(value_at<std::int8_t>(attribute, index));
+    case Scalar::uint8: return out.number<int>(value_at<std::uint8_t>(attribute, index));
+    case Scalar::int16: return out.number<int>(value_at<std::int16_t>(attribute, index));
+    case Scalar::uint16: return out.number<int>(value_at<std::uint16_t>(attribute, index));
+    case Scalar::int32: return out.number(value_at<std::int32_t>(attribute, index));
+    case Scalar::uint32: return out.number(value_at<std::uint32_t>(attribute, index));
+    case Scalar::int64: return out.number(value_at<std::int64_t>(attribute, index));
+    case Scalar::uint64: return out.number(value_at<std::uint64_t>(attribute, index));
+    case Scalar::float32: return out.number(value_at<float>(attribute, index));
+    case Scalar::float64: return out.number(value_at<double>(attribute, index));
   }
 }
 

@@ -230,12 +230,11 @@ bool looks_like_a_byte(const Attribute& a, std::size_t index) {
   return value >= 0 && value <= 255 && value == std::floor(value) && !std::signbit(value);
 }
 
-void print_values(Output& out, const Attribute* a, std::size_t element) {
-  if (!a) return;
-  for (std::size_t i = element * a->components; i < (element + 1) * a->components; ++i) {
-    out << ' ';
-    print_untyped(out, *a, i);
-    if (a->name == "color" && looks_like_a_byte(*a, i)) out << ".0";
+void print_values(Output& out, const Attribute& a, std::size_t element) {
+  for (std::size_t i = element * a.components; i < (element + 1) * a.components; ++i) {
+    if (i > element * a.components) out << ' ';
+    print_untyped(out, a, i);
+    if (a.name == "color" && looks_like_a_byte(a, i)) out << ".0";
   }
 }
 
@@ -271,7 +270,12 @@ Expected<Done> write_off(const Mesh& mesh, Output& out, Notes& notes) {
   out.number(mesh.face_count());
   out << " 0\n";
   for (std::size_t v = 0; v < mesh.vertex_count; ++v) {
-    for (const Attribute* a : {position, normal, color, texcoord}) print_values(out, a, v);
+    print_values(out, *position, v);
+    for (const Attribute* a : {normal, color, texcoord}) {
+      if (!a) continue;
+      out << ' ';
+      print_values(out, *a, v);
+    }
     out << '\n';
   }
   std::size_t corner = 0;
@@ -282,7 +286,10 @@ Expected<Done> write_off(const Mesh& mesh, Output& out, Notes& notes) {
       out << ' ';
       out.number(mesh.corners[corner]);
     }
-    print_values(out, face_color, f);
+    if (face_color) {
+      out << ' ';
+      print_values(out, *face_color, f);
+    }
     out << '\n';
   }
   return Done{};

@@ -12,22 +12,14 @@ namespace {
 template <class F>
 auto with_type(Scalar scalar, F&& f) {
   switch (scalar) {
-    case Scalar::int8:
-      return f(std::int8_t{});
-    case Scalar::uint8:
-      return f(std::uint8_t{});
-    case Scalar::int16:
-      return f(std::int16_t{});
-    case Scalar::uint16:
-      return f(std::uint16_t{});
-    case Scalar::int32:
-      return f(std::int32_t{});
-    case Scalar::uint32:
-      return f(std::uint32_t{});
-    case Scalar::float32:
-      return f(float{});
-    default:
-      return f(double{});
+    case Scalar::int8: return f(std::int8_t{});
+    case Scalar::uint8: return f(std::uint8_t{});
+    case Scalar::int16: return f(std::int16_t{});
+    case Scalar::uint16: return f(std::uint16_t{});
+    case Scalar::int32: return f(std::int32_t{});
+    case Scalar::uint32: return f(std::uint32_t{});
+    case Scalar::float32: return f(float{});
+    default: return f(double{});
   }
 }
 
@@ -84,6 +76,7 @@ class TextBody {
   std::size_t offset() const { return text_.offset(); }
 
   Expected<Done> read(const Element& element, std::vector<Column>& columns) {
+    text_.skip_space();
     // A digit and a space for each value; the last needs no space.
     if (!fits(element.count, 2 * element.properties.size(), text_.remaining() + 1))
       return text_.malformed(text_.at(), too_short(element, text_.remaining()));

@@ -29,22 +29,14 @@ To converted(Scalar scalar, const std::byte* from) {
     return static_cast<To>(value);
   };
   switch (scalar) {
-    case Scalar::int8:
-      return as(std::int8_t{});
-    case Scalar::uint8:
-      return as(std::uint8_t{});
-    case Scalar::int16:
-      return as(std::int16_t{});
-    case Scalar::uint16:
-      return as(std::uint16_t{});
-    case Scalar::int32:
-      return as(std::int32_t{});
-    case Scalar::uint32:
-      return as(std::uint32_t{});
-    case Scalar::float32:
-      return as(float{});
-    default:
-      return as(double{});
+    case Scalar::int8: return as(std::int8_t{});
+    case Scalar::uint8: return as(std::uint8_t{});
+    case Scalar::int16: return as(std::int16_t{});
+    case Scalar::uint16: return as(std::uint16_t{});
+    case Scalar::int32: return as(std::int32_t{});
+    case Scalar::uint32: return as(std::uint32_t{});
+    case Scalar::float32: return as(float{});
+    default: return as(double{});
   }
 }
 
@@ -68,9 +60,9 @@ Attribute interleaved(std::string name, Domain domain, std::span<const std::size
   a.data.resize(element.count * a.stride());
   for (std::size_t c = 0; c < members.size(); ++c) {
     const Scalar type = element.properties[members[c]].type;
-    const std::byte* from = columns[members[c]].values.data();
-    std::byte* to = a.data.data() + c * size;
-    for (std::size_t i = 0; i < element.count; ++i, from += size_of(type), to += a.stride()) {
+    for (std::size_t i = 0; i < element.count; ++i) {
+      const std::byte* from = columns[members[c]].values.data() + i * size_of(type);
+      std::byte* to = a.data.data() + i * a.stride() + c * size;
       if (type == a.scalar) {
         std::memcpy(to, from, size);
       } else if (a.scalar == Scalar::float32) {

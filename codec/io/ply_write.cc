@@ -93,14 +93,10 @@ class BodyWriter {
     }
     const std::byte* from = a.data.data() + index * size_of(a.scalar);
     switch (size_of(a.scalar)) {
-      case 1:
-        return out_.append(from, 1);
-      case 2:
-        return little<std::uint16_t>(from);
-      case 4:
-        return little<std::uint32_t>(from);
-      default:
-        return little<std::uint64_t>(from);
+      case 1: return out_.append(from, 1);
+      case 2: return little<std::uint16_t>(from);
+      case 4: return little<std::uint32_t>(from);
+      default: return little<std::uint64_t>(from);
     }
   }
   void size(std::uint64_t n, Scalar type) {

@@ -115,8 +115,8 @@ class Text {
     const char* const from = at_ + negative;
     const char* p = from;
     std::int64_t sum = 0;
-    for (; p != end_ && *p >= '0' && *p <= '9' && p - from <= 18; ++p) sum = 10 * sum + (*p - '0');
-    if (p == from || p - from == 19) return false;
+    for (; digit_at(p) && p - from < 18; ++p) sum = 10 * sum + (*p - '0');
+    if (p == from || digit_at(p)) return false;
     value = negative ? -sum : sum;
     at_ = p;
     return true;
@@ -130,6 +130,7 @@ class Text {
   }
 
  private:
+  bool digit_at(const char* p) const { return p != end_ && *p >= '0' && *p <= '9'; }
   bool sign_at(const char* p) const { return p != end_ && (*p == '+' || *p == '-'); }
   bool ends_token(const char* p) const {
     return p == end_ || *p == ' ' || *p == '\n' || *p == '\t' || *p == '\r' ||

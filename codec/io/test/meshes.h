@@ -1,0 +1,118 @@
+// What the tests of files share: bytes from text, attributes from values, equality.
+#ifndef CLERS_CODEC_IO_TEST_MESHES_H
+#define CLERS_CODEC_IO_TEST_MESHES_H
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <initializer_list>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "codec/io/io.h"
+
+namespace clers::io {
+
+inline std::vector<std::byte> bytes_of(std::string_view text) {
+  const auto* from = reinterpret_cast<const std::byte*>(text.data());
+  return {from, from + text.size()};
+}
+
+inline std::string text_of(const std::vector<std::byte>& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+template <class T>
+constexpr Scalar scalar_of() {
+  if constexpr (std::is_same_v<T, float>) return Scalar::float32;
+  if constexpr (std::is_same_v<T, double>) return Scalar::float64;
+  constexpr unsigned log2 = sizeof(T) == 1 ? 0 : sizeof(T) == 2 ? 1 : sizeof(T) == 4 ? 2 : 3;
+  return static_cast<Scalar>(2 * log2 + std::is_unsigned_v<T>);
+}
+
+template <class T>
+Attribute attribute(std::string name, Domain domain, unsigned components,
+                    const std::vector<T>& values) {
+  Attribute a{std::move(name), domain, scalar_of<T>(), static_cast<std::uint8_t>(components), {}};
+  a.data.resize(values.size() * sizeof(T));
+  if (!values.empty()) std::memcpy(a.data.data(), values.data(), a.data.size());
+  return a;
+}
+
+template <class T>
+std::vector<T> values_of(const Attribute& a) {
+  EXPECT_EQ(a.scalar, scalar_of<T>()) << a.name;
+  std::vector<T> values(a.data.size() / sizeof(T));
+  if (!values.empty()) std::memcpy(values.data(), a.data.data(), values.size() * sizeof(T));
+  return values;
+}
+
+/// The named attribute, which must be there.
+inline const Attribute& get(const Mesh& mesh, std::string_view name, Domain domain) {
+  static const Attribute none;
+  for (const Attribute& a : mesh.attributes)
+    if (a.name == name && a.domain == domain) return a;
+  ADD_FAILURE() << "no attribute " << name;
+  return none;
+}
+
+/// Reads a file that must be right.
+inline ReadResult must_read(const std::vector<std::byte>& file, Format format) {
+  Expected<ReadResult> result = read(file, format);
+  if (result && result->meshes.size() == 1) return std::move(*result);
+  ADD_FAILURE() << (result ? "not one mesh" : describe(result.error()));
+  return {{Mesh{}}, {}};
+}
+inline ReadResult must_read(std::string_view file, Format format) {
+  return must_read(bytes_of(file), format);
+}
+
+inline WriteResult must_write(const Mesh& mesh, Format format,
+                              std::optional<Encoding> encoding = std::nullopt) {
+  Expected<WriteResult> result = write({&mesh, 1}, format, encoding);
+  if (result) return std::move(*result);
+  ADD_FAILURE() << describe(result.error());
+  return {};
+}
+
+/// Whether some note holds this text.
+inline bool notes_say(const Notes& notes, std::string_view text) {
+  return std::any_of(notes.lines.begin(), notes.lines.end(),
+                     [&](const std::string& line) { return line.find(text) != std::string::npos; });
+}
+
+/// Equal in all but the order in which attributes of vertices and others alternate.
+inline ::testing::AssertionResult same(const Mesh& a, const Mesh& b) {
+  const auto differ = [](auto&&... what) {
+    ::testing::AssertionResult result = ::testing::AssertionFailure();
+    (result << ... << what);
+    return result;
+  };
+  if (a.vertex_count != b.vertex_count)
+    return differ(a.vertex_count, " and ", b.vertex_count, " vertices");
+  if (a.corners != b.corners) return differ("corners differ");
+  if (a.face_sizes != b.face_sizes) return differ("face sizes differ");
+  if (a.name != b.name) return differ("names '", a.name, "' and '", b.name, "'");
+  if (a.attributes.size() != b.attributes.size())
+    return differ(a.attributes.size(), " and ", b.attributes.size(), " attributes");
+  std::vector<const Attribute*> of_a, of_b;
+  for (const Attribute& x : a.attributes) of_a.push_back(&x);
+  for (const Attribute& x : b.attributes) of_b.push_back(&x);
+  for (auto* list : {&of_a, &of_b})
+    std::stable_partition(list->begin(), list->end(),
+                          [](const Attribute* x) { return x->domain == Domain::vertex; });
+  for (std::size_t i = 0; i < of_a.size(); ++i) {
+    const Attribute &x = *of_a[i], &y = *of_b[i];
+    if (x.name != y.name || x.domain != y.domain || x.scalar != y.scalar ||
+        x.components != y.components)
+      return differ("attribute ", i, ": '", x.name, "' and '", y.name, "' are of different kinds");
+    if (x.data != y.data) return differ("values of '", x.name, "' differ");
+  }
+  return ::testing::AssertionSuccess();
+}
+
+}  // namespace clers::io
+
+#endif
