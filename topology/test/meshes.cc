@@ -1,25 +1,38 @@
 #include "topology/test/meshes.h"
 
-#include <map>
+#include <algorithm>
+#include <tuple>
 
 #include "topology/derived.h"
 
 namespace clers::test {
 
 Surface from_triangles(const Triangles& triangles) {
+  // Sides sorted by their ends, the two of an edge come together.
+  struct Side {
+    std::uint32_t low, high;
+    HalfEdge h;
+  };
+  std::vector<Side> sides;
   std::vector<Vertex> org;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, HalfEdge> sides;
   std::uint32_t vertices = 0;
   for (const auto& t : triangles)
     for (unsigned i = 0; i < 3; ++i) {
-      sides[{t[i], t[(i + 1) % 3]}] = HalfEdge(static_cast<std::uint32_t>(org.size()));
+      const auto [low, high] = std::minmax(t[i], t[(i + 1) % 3]);
+      sides.push_back({low, high, HalfEdge(static_cast<std::uint32_t>(org.size()))});
       org.emplace_back(t[i]);
       vertices = std::max(vertices, t[i] + 1);
     }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
+    return std::tie(a.low, a.high, a.h) < std::tie(b.low, b.high, b.h);
+  });
   std::vector<HalfEdge> twin(org.size());
-  for (const auto& [ends, h] : sides)
-    if (const auto other = sides.find({ends.second, ends.first}); other != sides.end())
-      twin[h.index()] = other->second;
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    const Side &a = sides[i - 1], &b = sides[i];
+    if (a.low != b.low || a.high != b.high) continue;
+    twin[a.h.index()] = b.h;
+    twin[b.h.index()] = a.h;
+  }
   return *Surface::from_twins(org, twin, vertices);
 }
 
