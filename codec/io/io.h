@@ -14,6 +14,21 @@
 
 namespace clers::io {
 
+/// What is read and, but for what is in brackets, written:
+///
+///     ply  text and binary [both byte orders; written little endian]. Faces of any size, or
+///          triangle strips [written as faces]. Properties of vertices and faces become attributes,
+///          lists of a face with as many values or tuples as corners become corner attributes:
+///              x y z -> "position", nx ny nz -> "normal", red green blue [alpha] -> "color",
+///              s t, u v or texture_u texture_v -> "texcoord", any other -> its own name.
+///          Attributes of several components, and names that a header cannot hold, are told by
+///          comments that begin "clers", so that all but 64-bit integers reads back as it was.
+///     obj  Faces of any size. v -> "position", and "color" if each vertex has one; vt and vn ->
+///          "texcoord" and "normal" by corner if each face has them. The only o names the mesh.
+///          Several meshes are written as objects, which read back as one mesh.
+///     off  text in three dimensions. Faces of any size; "position", "normal", "color" and
+///          "texcoord" of vertices, "color" of faces if each has one.
+///     stl  text and binary. Triangles, by positions alone, which are written as float32.
 enum class Format { ply, obj, off, stl };
 
 /// From a file name's extension or a name given by the user ("ply", ".PLY"); none if unknown.
@@ -30,10 +45,16 @@ struct ReadResult {
   Notes notes;
 };
 
-/// Reads a whole mesh file held in memory. Polygons stay polygons, unused vertices stay, indices and
-/// vertex order stay as in the file. Only STL welds: vertices with equal position bits become one,
-/// which is noted.
-/// Errors: malformed or unsupported, with line (text) or byte (binary) and what was expected.
+/// Reads a whole mesh file held in memory, as one mesh. Polygons stay polygons, unused vertices
+/// stay, indices and the order of vertices and faces stay as in the file. Only STL welds: vertices
+/// with equal position bits become one, which is noted.
+///
+/// Numbers of OBJ, OFF and text STL, which do not say how wide they are, become float32 if each of
+/// a kind (positions, normals, ..) is the rounding of a float32 to its digits, else float64.
+///
+/// Errors: malformed, unsupported or too_large, with the line (text) or byte (binary) and what was
+/// expected. Memory: at most a small multiple of the file's size. Cost: linear but for STL, whose
+/// corners are sorted.
 Expected<ReadResult> read(std::span<const std::byte> bytes, Format format);
 
 enum class Encoding { text, binary };
@@ -43,10 +64,11 @@ struct WriteResult {
   Notes notes;
 };
 
-/// Writes meshes as one file. PLY is binary little endian unless text is asked for and keeps every
-/// attribute that it can name; OFF and OBJ are text, floats written so that they read back bit for
-/// bit; STL is binary unless text is asked for. What a format cannot hold is noted.
-/// Errors: unsupported (a format that cannot hold this mesh at all, such as polygons in STL).
+/// Writes meshes as one file. PLY and STL are binary unless text is asked for, OBJ and OFF are
+/// always text. A number in text has the fewest digits that read back bit for bit (NaN: its sign
+/// alone). What a format cannot hold is noted.
+/// Errors: unsupported (a format that cannot hold this at all, such as polygons in STL or several
+/// meshes in all but OBJ), inconsistent_mesh, too_large.
 Expected<WriteResult> write(std::span<const Mesh> meshes, Format format,
                             std::optional<Encoding> encoding = std::nullopt);
 

@@ -88,7 +88,10 @@ struct Column {
 class Body {
  public:
   Body(std::string_view file, const Header& header)
-      : file_(file), header_(header), at_(header.size) {}
+      : file_(file),
+        format_(header.format),
+        vertex_count_(header.vertex_count()),
+        at_(header.size) {}
 
   /// The columns of the next element, one for each property. Memory: before anything is allocated
   /// the element's count is checked against the bytes that are left.
@@ -100,7 +103,8 @@ class Body {
 
  private:
   std::string_view file_;
-  const Header& header_;
+  Format format_;
+  std::uint32_t vertex_count_;
   std::size_t at_;
 };
 

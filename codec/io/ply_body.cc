@@ -280,16 +280,15 @@ Expected<std::vector<Column>> Body::next(const Element& element) {
     at_ = body.offset();
     return std::move(columns);
   };
-  if (header_.format == Format::text)
-    return read_with(TextBody(file_, at_, header_.vertex_count()));
-  const bool big = header_.format == Format::big_endian;
-  return read_with(BinaryBody(file_, at_, header_.vertex_count(),
-                              big != (std::endian::native == std::endian::big)));
+  if (format_ == Format::text) return read_with(TextBody(file_, at_, vertex_count_));
+  const bool big = format_ == Format::big_endian;
+  return read_with(
+      BinaryBody(file_, at_, vertex_count_, big != (std::endian::native == std::endian::big)));
 }
 
 Expected<Done> Body::end(Notes& notes) const {
   const std::string_view rest = file_.substr(at_);
-  if (header_.format == Format::text) {
+  if (format_ == Format::text) {
     Text text(file_);
     text.skip(at_);
     if (!text.at_end()) return text.expected("the end of the file after the last element");

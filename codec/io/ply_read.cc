@@ -250,6 +250,8 @@ class Reader {
   //       b---d---f
   Expected<Done> strips(const Element& element, std::vector<Column>& columns) {
     if (element.count == 0) return Done{};
+    // Of an element 'face' without entries, which had no values.
+    std::erase_if(mesh_.attributes, [](const Attribute& a) { return a.domain != Domain::vertex; });
     const std::size_t property = index_property(element);
     std::vector<std::uint32_t> indices;
     copy_indices(columns[property], indices);

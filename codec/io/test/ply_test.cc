@@ -180,6 +180,18 @@ TEST_P(EveryPly, StripsBecomeTriangles) {
   EXPECT_TRUE(notes_say(result.notes, "2 places"));
 }
 
+TEST(Ply, StripsBesideAnElementFaceWithoutEntries) {
+  const std::string vertices = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float h\n";
+  const std::string faces =
+      "element face 0\nproperty list uchar int vertex_indices\nproperty float quality\n";
+  const std::string strips = "element tristrips 1\nproperty list uchar int vertex_indices\n";
+  for (const std::string& header : {vertices + faces + strips, vertices + strips + faces}) {
+    const Mesh mesh = must_read(header + "end_header\n1 2 3\n3 0 1 2\n", Format::ply).meshes[0];
+    EXPECT_EQ(mesh.corners, (std::vector<std::uint32_t>{0, 1, 2}));
+    EXPECT_EQ(mesh.attributes.size(), 1u);
+  }
+}
+
 TEST(Ply, ConventionalNamesBecomeAttributes) {
   const Mesh mesh = must_read(
                         "ply\r\nformat ascii 1.0\r\nelement vertex 1\r\n"
