@@ -20,7 +20,8 @@ struct ConnectivityCounts {
   std::array<std::uint64_t, 5> letters = {};  ///< indexed by Clers
   std::uint64_t components = 0;
   std::uint64_t boundary_curves = 0;
-  std::uint64_t handles = 0;  ///< genus
+  std::uint64_t coded_holes = 0;  ///< boundary curves less the first of each open component
+  std::uint64_t handles = 0;      ///< genus
 };
 
 /// Counts indexed by Clers in the order of the word: C, L, E, R, S.
@@ -34,6 +35,8 @@ struct EncodedConnectivity {
   std::vector<HalfEdge> gates;  ///< for each face in the new order: its half-edge that comes first
   std::vector<std::uint32_t> vertices;  ///< vertices[new] = old
   ConnectivityCounts counts;
+  /// What holes and handles cost, the letter S of each and all flags included, in 1/256 bits.
+  std::uint64_t special_cost = 0;
 };
 
 /// Encodes a surface; its twins are consumed. Errors: limit (handles that would cost a decoder more

@@ -125,7 +125,8 @@ Expected<ConnectivityCounts> decode_connectivity(std::span<const std::byte> byte
                 "the symbols do not end where the data end");
   number_vertices(building);
   if (!twins.empty()) reverse_faces(twins);
-  source.counts.boundary_curves += source.counts.components - source.closed_components;
+  source.counts.boundary_curves =
+      source.counts.coded_holes + source.counts.components - source.closed_components;
   return source.counts;
 } catch (const std::bad_alloc&) {
   return fail(ErrorCode::out_of_memory, "not enough memory for the connectivity");

@@ -179,7 +179,7 @@ class EventWriter {
   std::uint32_t next_symbol() const {
     return next_ < events_.size() ? events_[next_].symbol : 0xffffffffu;
   }
-  std::uint64_t handles = 0, holes = 0, closed = 0, steps = 0;
+  std::uint64_t handles = 0, splits = 0, holes = 0, closed = 0, steps = 0;
 
  private:
   template <class Coder>
@@ -202,6 +202,7 @@ class EventWriter {
           model_.split_distance(coder, e.length, e.distance);
           waiting_.push_back(e.curve);
           steps += e.length;
+          ++splits;
         }
         break;
       }
@@ -345,7 +346,14 @@ Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorT
       const rans::Interval interval = model.encode(static_cast<Clers>(c & 7), c >> 3);
       stream.put(interval);
     }
-    if (events.next_symbol() == i) events.write_after(i, coder);
+    if (events.next_symbol() == i) {
+      const std::size_t first = stream.intervals().size();
+      const std::uint64_t specials = events.handles + events.holes + events.splits;
+      events.write_after(i, coder);
+      const bool special = specials < events.handles + events.holes + events.splits;
+      for (std::size_t k = first - special; k < stream.intervals().size(); ++k)
+        result.special_cost += cost(stream.intervals()[k].size);
+    }
   }
   if (events.steps > allowed_steps(faces))
     return fail(
@@ -361,6 +369,7 @@ Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorT
 
   result.counts.components = traversal.starts.size();
   result.counts.handles = events.handles;
+  result.counts.coded_holes = events.holes;
   result.counts.boundary_curves = events.holes + traversal.starts.size() - events.closed;
   result.vertices.resize(building.finished);
   for (std::uint32_t i = 0; i < faces; ++i) {

@@ -31,6 +31,8 @@ class Encoder {
     put({static_cast<std::uint16_t>(start), static_cast<std::uint16_t>(size)});
   }
 
+  const std::vector<Interval>& intervals() const { return intervals_; }
+
   /// Appends the stream: the state, then the words. Cost: one division an interval.
   void finish(std::vector<std::byte>& out) const {
     std::vector<std::uint16_t> words;

@@ -59,7 +59,7 @@ class StreamSource {
   SpecialS kind(const Front&, const Gate&, std::span<const std::uint32_t> waiting) {
     DecodeFrom coder(in_);
     const SpecialS kind = events_.kind(coder, !waiting.empty(), SpecialS::hole);
-    counts.boundary_curves += kind == SpecialS::hole;
+    counts.coded_holes += kind == SpecialS::hole;
     counts.handles += kind == SpecialS::join;
     return kind;
   }

@@ -6,8 +6,6 @@
 #ifndef CLERS_TOPOLOGY_MIRROR_H
 #define CLERS_TOPOLOGY_MIRROR_H
 
-#include <bit>
-#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -56,10 +54,19 @@ class Tracing {
   OperatorTrace trace;
 };
 
-/// Whether to validate after the n-th operator: always at first, then four times for each doubling.
-inline bool is_time_to_validate(std::size_t n) {
-  return n < 256 || n % (std::bit_floor(n) / 4) == 0;
-}
+/// Validates a surface after every operator while it is small, and then so rarely that the cost an
+/// operator stays that of looking at sixteen faces.
+class Validating {
+ public:
+  bool valid_now_and_then(const Surface& surface) {
+    if (++operators_ < surface.characteristic().f / 16) return true;
+    operators_ = 0;
+    return validate(surface, 1).empty();
+  }
+
+ private:
+  std::int64_t operators_ = 0;
+};
 
 /// Pairing that applies every operator to a surface.
 class BuildingMirror {
@@ -96,9 +103,9 @@ class BuildingMirror {
 
  private:
   void agree(bool yes) { agrees = agrees && yes; }
-  void validate_now_and_then() {
-    if (is_time_to_validate(trace.size())) agree(validate(surface, 1).empty());
-  }
+  void validate_now_and_then() { agree(validating_.valid_now_and_then(surface)); }
+
+  Validating validating_;
   std::vector<HalfEdge> into_;
 };
 
@@ -125,9 +132,9 @@ class UnbuildingMirror {
 
  private:
   void agree(bool yes) { agrees = agrees && yes; }
-  void validate_now_and_then() {
-    if (is_time_to_validate(trace.size())) agree(validate(surface, 1).empty());
-  }
+  void validate_now_and_then() { agree(validating_.valid_now_and_then(surface)); }
+
+  Validating validating_;
 };
 
 }  // namespace clers
