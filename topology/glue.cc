@@ -86,7 +86,9 @@ Result<HandleCase, Violation> Surface::glue(HalfEdge h0, HalfEdge h1) {
     if (!is_boundary(h)) return Failure{Violation{Precondition::boundary_edge, h.index()}};
   }
   if (h0 == h1) return Failure{Violation{Precondition::two_half_edges, h0.index()}};
+  reserve_vertices(0);
   reserve_curves(1);
+  reserve_components(0);
 
   const HandleCase kind = classify(h0, h1);
   const HalfEdge after0 = boundary_next(h0), after1 = boundary_next(h1);

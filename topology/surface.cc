@@ -115,6 +115,11 @@ Result<std::array<Point, 3>, Violation> Surface::destroy(Face f) {
   for (HalfEdge h : star(f))
     if (!is_boundary(h)) return Failure{Violation{Precondition::all_edges_on_boundary, f.index()}};
 
+  faces_.reserve(0);
+  reserve_vertices(0);
+  reserve_curves(0);
+  reserve_components(0);
+
   std::array<Point, 3> points;
   free_curve(curve(half_edge(f, 0)));
   // Backwards, so that a create next gives every corner the same vertex again.

@@ -247,7 +247,8 @@ class Surface {
     static HalfEdge after(const Surface& s, HalfEdge h) { return s.boundary_next(h); }
   };
 
-  // Room for what an operator may make, so that nothing fails half-way.
+  // Room for so many new ones and for freeing all, so that nothing fails half-way. A copy of a
+  // surface has lost the room its original had: an operator that only frees asks for it too.
   void reserve_faces(std::uint32_t count);
   void reserve_vertices(std::uint32_t count);
   void reserve_curves(std::uint32_t count);

@@ -93,10 +93,8 @@ class Pair {
     const HalfEdge h = pick(true);
     if (!surface_.is_live(first_) || !surface_.is_boundary(first_)) return h;
     switch (op.choice % 8) {
-      case 0:
-        return surface_.boundary_next(first_);
-      case 1:
-        return surface_.boundary_prev(first_);
+      case 0: return surface_.boundary_next(first_);
+      case 1: return surface_.boundary_prev(first_);
       case 2: {
         HalfEdge x = first_;
         for (std::uint32_t i = random(5) + 2; i > 0; --i) x = surface_.boundary_next(x);
@@ -109,8 +107,7 @@ class Pair {
             return x;
         return h;
       }
-      default:
-        return h;
+      default: return h;
     }
   }
 

@@ -174,6 +174,16 @@ TEST(Surface, GlueKeepsThePointsOfItsFirstEdge) {
   EXPECT_EQ(s.point(s.org(he(4))), Point(4));
   EXPECT_EQ(s.point(s.org(he(0))), Point(5));
   EXPECT_EQ(s.point(s.org(he(2))), Point(2));
+  // Also when the other edge's vertices have more corners, and so keep their ids.
+  ASSERT_TRUE(s.create(Point(6), Point(7), Point(8)));
+  const Vertex larger = s.org(he(5));
+  EXPECT_EQ(s.boundary_next(he(2)), he(5));
+  EXPECT_EQ(s.corner_count(s.org(he(5))), 2u);
+  ASSERT_TRUE(s.glue(he(6), he(5)));
+  EXPECT_EQ(s.dest(he(6)), larger);
+  EXPECT_EQ(s.org(he(5)), larger);
+  EXPECT_EQ(s.point(s.org(he(6))), Point(6));
+  EXPECT_EQ(s.point(s.dest(he(6))), Point(7));
 }
 
 TEST(Surface, DetachInTheMiddleAndBack) {

@@ -167,12 +167,9 @@ TEST(Validate, AnythingAnywhere) {
   const Surface good = sample();
   const auto any = [&](std::uint32_t limit) {
     switch (random() % 4) {
-      case 0:
-        return Vertex::null_index;
-      case 1:
-        return static_cast<std::uint32_t>(random());
-      default:
-        return static_cast<std::uint32_t>(random() % (limit + 1));
+      case 0: return Vertex::null_index;
+      case 1: return static_cast<std::uint32_t>(random());
+      default: return static_cast<std::uint32_t>(random() % (limit + 1));
     }
   };
   const auto put = [&](auto& array, std::uint32_t limit) {
@@ -195,24 +192,12 @@ TEST(Validate, AnythingAnywhere) {
       auto& node = p.nodes()[random() % n];
       const Rings::Node old = node;
       switch (array) {
-        case 0:
-          one = put(p.org(), s.vertex_limit());
-          break;
-        case 1:
-          one = put(p.twin(), n);
-          break;
-        case 2:
-          one = put(p.star(), n);
-          break;
-        case 3:
-          one = put(p.corners(), 10);
-          break;
-        case 4:
-          one = put(p.component(), 8);
-          break;
-        case 5:
-          one = put(p.ring(), n);
-          break;
+        case 0: one = put(p.org(), s.vertex_limit()); break;
+        case 1: one = put(p.twin(), n); break;
+        case 2: one = put(p.star(), n); break;
+        case 3: one = put(p.corners(), 10); break;
+        case 4: one = put(p.component(), 8); break;
+        case 5: one = put(p.ring(), n); break;
         case 6:
           (random() % 2 ? node.lower : node.upper) = HalfEdge(any(n));
           one = node.lower != old.lower || node.upper != old.upper;

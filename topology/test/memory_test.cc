@@ -1,0 +1,104 @@
+// Memory that runs out: whichever allocation fails, the operator has changed nothing.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <new>
+
+#include "topology/derived.h"
+#include "topology/dump.h"
+#include "topology/test/meshes.h"
+#include "topology/validate.h"
+
+namespace {
+
+long remaining = -1;  // allocations that still succeed; negative: all do
+long made = 0;
+
+void* allocate(std::size_t size) {
+  ++made;
+  if (remaining == 0) throw std::bad_alloc();
+  if (remaining > 0) --remaining;
+  void* p = std::malloc(size == 0 ? 1 : size);
+  if (p == nullptr) throw std::bad_alloc();
+  return p;
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  return allocate(size);
+}
+void operator delete(void* p) noexcept {
+  std::free(p);
+}
+void operator delete(void* p, std::size_t) noexcept {
+  std::free(p);
+}
+
+namespace clers {
+namespace {
+
+/// Runs the operator on a copy (whose arrays have no room to spare) with ever more memory until it
+/// succeeds; how many allocations it took.
+template <class Operator>
+int starve(const Surface& surface, Operator run) {
+  const std::string before = dump(surface);
+  for (int allocations = 0;; ++allocations) {
+    Surface s = surface;
+    bool failed = false;
+    remaining = allocations;
+    try {
+      run(s);
+    } catch (const std::bad_alloc&) {
+      failed = true;
+    }
+    remaining = -1;
+    EXPECT_TRUE(validate(s).empty());
+    if (!failed) return allocations;
+    EXPECT_EQ(dump(s), before);
+    if (testing::Test::HasFailure()) return allocations;
+  }
+}
+
+TEST(Memory, OperatorsFailWithoutAChange) {
+  Surface s = test::chain_of_tori(2, 4);
+  for (int i = 0; i < 4; ++i) ASSERT_TRUE(s.create(Point(0), Point(1), Point(2)));
+  const Face f(s.face_limit() - 1);
+  const HalfEdge e = half_edge(f, 0);
+  EXPECT_GT(starve(s, [](Surface& x) { (void)x.create(Point(0), Point(1), Point(2)); }), 5);
+  EXPECT_GT(starve(s, [&](Surface& x) { (void)x.destroy(f); }), 0);
+  EXPECT_GT(starve(s, [&](Surface& x) { (void)x.glue(e, lnext(e)); }), 0);
+  EXPECT_GT(starve(s, [&](Surface& x) { (void)x.unglue(half_edge(Face(9), 1)); }), 0);
+  // A cut round the first torus, to its last edge.
+  for (std::uint32_t column = 0; column < 3; ++column)
+    ASSERT_TRUE(s.unglue(half_edge(Face(2 * (4 + column)), 0)));
+  EXPECT_GT(starve(s,
+                   [&](Surface& x) {
+                     EXPECT_EQ(*x.unglue(half_edge(Face(2 * (4 + 3)), 0)), HandleCase::join_curves);
+                   }),
+            0);
+}
+
+TEST(Memory, QueriesAndRepeatedOperatorsAllocateNothing) {
+  Surface s = test::torus(6, 6);
+  const HalfEdge h = half_edge(Face(20), 0);
+  const auto round = [&] {
+    const HalfEdge t = s.sym(h);
+    (void)s.unglue(h);
+    (void)s.glue(h, t);
+    const Face f = *s.create(Point(0), Point(1), Point(2));
+    (void)s.destroy(f);
+    std::uint32_t sum = 0;
+    for (const Vertex v : s.vertices())
+      for (const HalfEdge x : s.star(v)) sum += s.dest(x).index();
+    return sum;
+  };
+  const std::uint32_t first = round();
+  const long before = made;
+  const std::uint32_t second = round();
+  EXPECT_EQ(made, before);
+  EXPECT_EQ(first, second);
+}
+
+}  // namespace
+}  // namespace clers
