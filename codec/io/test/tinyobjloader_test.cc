@@ -39,8 +39,9 @@ void compare_with_other_reader(const std::string& file) {
     if (position.scalar == Scalar::float32) {
       float narrow;
       std::memcpy(&narrow, position.data.data() + i * sizeof narrow, sizeof narrow);
-      if (std::isfinite(narrow))  // others it does not read
+      if (std::isfinite(narrow)) {  // others it does not read
         ASSERT_EQ(narrow, static_cast<float>(attrib.vertices[i])) << i;
+      }
       continue;
     }
     std::memcpy(&value, position.data.data() + i * sizeof value, sizeof value);
@@ -76,7 +77,7 @@ TEST(TinyObjLoader, AgreesOnRandomFiles) {
   for (int i = 0; i < 200; ++i) {
     std::ostringstream file;
     file.precision(9);
-    const unsigned vertices = 3 + random() % 20;
+    const auto vertices = static_cast<unsigned>(3 + random() % 20);
     for (unsigned v = 0; v < vertices; ++v) {
       file << "v";
       for (int c = 0; c < 3; ++c) file << ' ' << static_cast<float>(random()) * 1e-6f;
@@ -84,7 +85,7 @@ TEST(TinyObjLoader, AgreesOnRandomFiles) {
     }
     for (unsigned f = 0; f < 20; ++f) {
       file << "f";
-      const unsigned size = 3 + random() % 5;
+      const auto size = static_cast<unsigned>(3 + random() % 5);
       for (unsigned c = 0; c < size; ++c) {
         const auto v = static_cast<int>(random() % vertices);
         const int index = random() % 2 ? v + 1 : v - static_cast<int>(vertices);
