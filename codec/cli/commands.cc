@@ -19,14 +19,10 @@ namespace fs = std::filesystem;
 
 const char* extension(io::Format format) {
   switch (format) {
-    case io::Format::ply:
-      return ".ply";
-    case io::Format::obj:
-      return ".obj";
-    case io::Format::off:
-      return ".off";
-    case io::Format::stl:
-      return ".stl";
+    case io::Format::ply: return ".ply";
+    case io::Format::obj: return ".obj";
+    case io::Format::off: return ".off";
+    case io::Format::stl: return ".stl";
   }
   return "";
 }
