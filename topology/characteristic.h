@@ -86,21 +86,11 @@ struct OperatorCounts {
   /// Counts `times` glues of this case (negative: unglues).
   constexpr void add(HandleCase kind, std::int64_t times = 1) {
     switch (kind) {
-      case HandleCase::join_components:
-        join_components += times;
-        break;
-      case HandleCase::split_curve:
-        split_curve += times;
-        break;
-      case HandleCase::join_curves:
-        join_curves += times;
-        break;
-      case HandleCase::close:
-        close += times;
-        break;
-      case HandleCase::zip:
-        zip += times;
-        break;
+      case HandleCase::join_components: join_components += times; break;
+      case HandleCase::split_curve: split_curve += times; break;
+      case HandleCase::join_curves: join_curves += times; break;
+      case HandleCase::close: close += times; break;
+      case HandleCase::zip: zip += times; break;
       case HandleCase::join_components_at_loops:
         join_components += times, close += times, zip -= times;
         break;

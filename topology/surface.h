@@ -109,8 +109,8 @@ class Surface {
   const Characteristic& characteristic(Component k) const { return counts_[k.index()]; }
   std::int64_t genus() const { return total_.g; }
 
-  // Circulators (§2.1, §6.1): ranges of half-edges, counterclockwise, that allocate nothing. Of live
-  // elements; they hold until the next operator ------------------------------------------------
+  // Circulators (§2.1, §6.1): ranges of half-edges, counterclockwise, that allocate nothing. Of
+  // live elements; they hold until the next operator.
 
   /// One half-edge leaving v for each corner of v: left() of it is the face.
   auto fan(Vertex v) const {
