@@ -18,63 +18,79 @@ std::uint32_t prev(std::uint32_t h) {
   return h % 3 == 0 ? h + 2 : h - 1;
 }
 
-/// Matches half-edges while the faces stream by. Those without a match yet hang in one list for
-/// each smaller end, linked through the twins they do not have yet. In the order of most files,
-/// lists are short and their half-edges recent. Gives up when lists turn out long (hubs in shuffled
-/// files).
+/// Matches half-edges while the faces stream by. The edges of a vertex that are known so far, those
+/// to larger vertices, fill one cache line; in the order of most files it is in cache already.
+/// Edges that do not fit there hang in lists, and where lists turn out long (hubs) the matcher
+/// gives up, as it does at an edge that is not one of an oriented manifold.
 class StreamingMatcher {
  public:
   StreamingMatcher(std::span<const std::uint32_t> org, std::span<HalfEdge> twins,
                    std::uint32_t vertices)
-      : org_(org), twins_(twins), heads_(vertices, none) {}
+      : org_(org), twins_(twins), cells_(vertices) {}
 
   bool run() {
     const std::uint32_t n = static_cast<std::uint32_t>(org_.size());
-    std::uint64_t patience = 64 + 32 * std::uint64_t(n);
+    patience_ = 64 + 32 * std::uint64_t(n);
     for (std::uint32_t h = 0; h < n; h += 3) {
       const std::uint32_t a = org_[h], b = org_[h + 1], c = org_[h + 2];
-      std::uint64_t steps = match(h, a, b);
-      steps += match(h + 1, b, c);
-      steps += match(h + 2, c, a);
-      if (steps > patience) return false;
-      patience -= steps;
-    }
-    for (std::uint32_t h : heads_) {
-      while (h != none) {
-        const std::uint32_t after = twins_[h].index();
-        twins_[h] = HalfEdge();
-        h = after;
-      }
+      if (!match(h, a, b) || !match(h + 1, b, c) || !match(h + 2, c, a)) return false;
     }
     return true;
   }
 
  private:
-  std::uint64_t match(std::uint32_t h, std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t low = std::min(a, b);
-    std::uint64_t steps = 0;
-    std::uint32_t before = none;
-    for (std::uint32_t e = heads_[low]; e != none; e = twins_[e].index(), ++steps) {
-      if (org_[e] == b && org_[next(e)] == a) {
-        const HalfEdge after = twins_[e];
-        if (before == none)
-          heads_[low] = after.index();
-        else
-          twins_[before] = after;
-        twins_[e] = HalfEdge(h);
-        twins_[h] = HalfEdge(e);
-        return steps;
+  struct Slot {
+    std::uint32_t end = none;        ///< the larger end of an edge; none: no edge
+    std::uint32_t half_edge = none;  ///< its only half-edge so far; none: it has two
+  };
+  struct alignas(64) Cell {
+    Slot slots[8];
+  };
+  struct More {
+    Slot slot;
+    std::uint32_t next;
+  };
+
+  bool match(std::uint32_t h, std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t low = std::min(a, b), high = std::max(a, b);
+    for (Slot& slot : cells_[low].slots) {
+      if (slot.end == high) return complete(slot, h, b);
+      if (slot.end == none) {
+        slot = {high, h};
+        return true;
       }
-      before = e;
     }
-    twins_[h] = HalfEdge(heads_[low]);
-    heads_[low] = h;
-    return steps;
+    return match_more(h, low, high, b);
+  }
+
+  /// The second half-edge of an edge; false if it is a third, or runs the same way as the first.
+  bool complete(Slot& slot, std::uint32_t h, std::uint32_t b) {
+    const std::uint32_t e = slot.half_edge;
+    if (e == none || org_[e] != b) return false;
+    twins_[e] = HalfEdge(h);
+    twins_[h] = HalfEdge(e);
+    slot.half_edge = none;
+    return true;
+  }
+
+  [[gnu::noinline]] bool match_more(std::uint32_t h, std::uint32_t low, std::uint32_t high,
+                                    std::uint32_t b) {
+    if (heads_.empty()) heads_.assign(cells_.size(), none);
+    for (std::uint32_t i = heads_[low]; i != none; i = more_[i].next) {
+      if (more_[i].slot.end == high) return complete(more_[i].slot, h, b);
+      if (patience_-- == 0) return false;
+    }
+    more_.push_back({{high, h}, heads_[low]});
+    heads_[low] = static_cast<std::uint32_t>(more_.size() - 1);
+    return true;
   }
 
   std::span<const std::uint32_t> org_;
   std::span<HalfEdge> twins_;
-  std::vector<std::uint32_t> heads_;  ///< by smaller end: latest half-edge without a match
+  std::vector<Cell> cells_;           ///< by smaller end
+  std::vector<std::uint32_t> heads_;  ///< by smaller end: lists of the edges that did not fit
+  std::vector<More> more_;
+  std::uint64_t patience_ = 0;
 };
 
 /// Half-edges sorted by their edge, file order within: for meshes that defeat the lists, and to
@@ -131,75 +147,18 @@ void match_sorted(std::span<const std::uint32_t> org, std::span<const std::uint3
   }
 }
 
-/// Whether the corners at every vertex form one fan in which no neighbour comes twice.
-class FanCheck {
- public:
-  FanCheck(std::span<const std::uint32_t> org, std::span<const HalfEdge> twins,
-           std::uint32_t vertices)
-      : org_(org), twins_(twins), start_(vertices, none), stamp_(vertices, none) {
-    for (std::size_t h = org.size(); h-- > 0;) start_[org[h]] = static_cast<std::uint32_t>(h);
-  }
-
-  // Either of these once for an object: a vertex is walked round once.
-
-  /// Whether the mesh is a manifold whose edges all have two faces at most.
-  bool run() {
-    std::uint64_t corners = 0;
-    for (const std::uint32_t start : start_) {
-      if (start == none) continue;
-      const std::uint64_t fan = walk(start);
-      if (fan == 0) return false;
-      corners += fan;
-    }
-    return corners == org_.size();
-  }
-
-  /// The first vertex, in the order of the faces, of several fans.
-  std::uint32_t vertex_of_several_fans() {
-    std::vector<std::uint32_t> corners(start_.size(), 0);
-    for (const std::uint32_t v : org_) ++corners[v];
-    std::vector<bool> seen(start_.size());
-    for (const std::uint32_t v : org_) {
-      if (seen[v]) continue;
-      seen[v] = true;
-      if (walk(start_[v]) != corners[v]) return v;
-    }
-    return none;
-  }
-
- private:
-  /// Corners of the fan that contains a corner, both ways round; 0 when a neighbour comes twice.
-  std::uint64_t walk(std::uint32_t start) {
-    const std::uint32_t v = org_[start];
-    std::uint64_t count = 0;
-    std::uint32_t h = start, last;
-    do {
-      if (!stamp(org_[next(h)], v)) return 0;
-      ++count;
-      last = prev(h);
-      h = twins_[last].index();
-    } while (h != none && h != start);
-    if (h == start) return count;
-    if (!stamp(org_[last], v)) return 0;
-    for (h = twins_[start].index(); h != none; h = twins_[h].index()) {
-      h = next(h);
-      if (!stamp(org_[next(h)], v)) return 0;
-      ++count;
-    }
-    return count;
-  }
-
-  bool stamp(std::uint32_t neighbour, std::uint32_t v) {
-    if (stamp_[neighbour] == v) return false;
-    stamp_[neighbour] = v;
-    return true;
-  }
-
-  std::span<const std::uint32_t> org_;
-  std::span<const HalfEdge> twins_;
-  std::vector<std::uint32_t> start_;
-  std::vector<std::uint32_t> stamp_;
-};
+/// Corners of the fan that contains a corner, both ways round.
+std::uint64_t fan_size(std::span<const HalfEdge> twins, std::uint32_t start) {
+  std::uint64_t count = 0;
+  std::uint32_t h = start;
+  do {
+    ++count;
+    h = twins[prev(h)].index();
+  } while (h != none && h != start);
+  if (h == start) return count;
+  for (h = twins[start].index(); h != none; h = twins[next(h)].index()) ++count;
+  return count;
+}
 
 }  // namespace
 
@@ -217,17 +176,25 @@ Expected<std::vector<HalfEdge>> find_twins(std::span<const std::uint32_t> corner
                   "uses vertex " + std::to_string(a == b ? a : c) + " twice");
   }
   std::vector<HalfEdge> twins(corners.size());
-  const bool streamed = StreamingMatcher(corners, twins, vertex_count).run();
-  if (streamed && FanCheck(corners, twins, vertex_count).run()) return twins;
+  if (StreamingMatcher(corners, twins, vertex_count).run()) return twins;
 
   const std::vector<std::uint32_t> order = sorted_by_edge(corners);
   if (auto failure = bad_edge(corners, order)) return *failure;
   match_sorted(corners, order, twins);
-  const std::uint32_t v = FanCheck(corners, twins, vertex_count).vertex_of_several_fans();
-  if (v != none)
-    return fail(ErrorCode::nonmanifold_vertex, Place::vertex, v,
-                "its faces form more than one fan, expected one");
   return twins;
+}
+
+std::uint32_t vertex_of_several_fans(std::span<const std::uint32_t> corners,
+                                     std::span<const HalfEdge> twins, std::uint32_t vertex_count) {
+  std::vector<std::uint32_t> corners_of(vertex_count);
+  for (const std::uint32_t v : corners) ++corners_of[v];
+  for (std::uint32_t h = 0; h < corners.size(); ++h) {
+    std::uint32_t& left_over = corners_of[corners[h]];
+    if (left_over == 0) continue;  // looked at before
+    if (fan_size(twins, h) != left_over) return corners[h];
+    left_over = 0;
+  }
+  return Vertex::null_index;
 }
 
 }  // namespace clers

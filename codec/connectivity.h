@@ -39,8 +39,9 @@ struct EncodedConnectivity {
   std::uint64_t special_cost = 0;
 };
 
-/// Encodes a surface; its twins are consumed. Errors: limit (handles that would cost a decoder more
-/// steps than the format allows), out_of_memory.
+/// Encodes a surface; its twins are consumed. Errors: nonmanifold_vertex (without saying which: to
+/// look beforehand would cost every mesh a fifth of its time), limit (handles that would cost a
+/// decoder more steps than the format allows), out_of_memory.
 Expected<EncodedConnectivity> encode_connectivity(SurfaceArrays surface, int level);
 
 /// The same bytes, with every operator run on a full surface too and the surface validated; `trace`

@@ -100,17 +100,19 @@ class RecordingSource {
     }
     const std::uint32_t number = curves_++;
     distance_ = 0;
-    std::uint32_t v = gate.x;
-    do {
+    for (std::uint32_t v = gate.x; v != q || distance_ == 0;) {
+      // Not there: the vertex was marked from another fan of its corners.
+      if (v == gate.y) return SpecialS::hole;
       v = front.prev(v);
       curve_of_[v] = number;
       ++distance_;
-    } while (v != q);
+    }
     waiting_.push_back(number);
     events.push_back({done(), Event::Kind::split, false, number, distance_, 0});
     return SpecialS::split;
   }
-  std::uint64_t hole_length() { return 0; }  // never asked: holes show at the component's end
+  /// Holes show at the component's end. Asked for one before, no length is right.
+  std::uint64_t hole_length() { return 0; }
   std::uint64_t split_distance(std::uint64_t n) {
     events.back().length = static_cast<std::uint32_t>(n);
     return distance_;
@@ -267,6 +269,11 @@ unsigned choose_history(std::span<const std::uint8_t> contexts, int level) {
   return best;
 }
 
+/// What comes of a vertex of several fans: a surface has a vertex for each.
+Failure<Error> several_fans() {
+  return fail(ErrorCode::nonmanifold_vertex, "the faces of a vertex form more than one fan");
+}
+
 template <class Witness>
 Witness make_witness(const SurfaceArrays& arrays) {
   if constexpr (std::is_same_v<Witness, NoWitness>) {
@@ -323,9 +330,7 @@ Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorT
   Pairing pairing = make_pairing<Pairing>(ids);
   const Breakage breakage =
       SpiraleReversi<Pairing, RecordingSource>(building, pairing, source).run();
-  if (breakage.broken != Broken::none)
-    return fail(ErrorCode::internal, Place::symbol, breakage.symbol,
-                "the surface could not be built again");
+  if (breakage.broken != Broken::none) return several_fans();
   if constexpr (on_full_surface) {
     if (!agree(witness, pairing))
       return fail(ErrorCode::internal, "the fast operators and the full surface do not agree");
@@ -376,6 +381,11 @@ Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorT
     HalfEdge h = traversal.gates[i];
     for (unsigned side = 0; side < 3; ++side, h = lnext(h))
       result.vertices[corners[3 * std::size_t(i) + side]] = surface.org[h.index()];
+  }
+  std::vector<bool> numbered(surface.vertex_count);
+  for (const std::uint32_t v : result.vertices) {
+    if (numbered[v]) return several_fans();
+    numbered[v] = true;
   }
   result.gates = std::move(traversal.gates);
   return result;

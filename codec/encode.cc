@@ -93,7 +93,7 @@ class MeshEncoder {
     if (!twins) return Failure{twins.error()};
     progress("connectivity", 0.2);
     auto coded = encode_connectivity({mesh_.corners, *twins, mesh_.vertex_count}, options_.level);
-    if (!coded) return Failure{coded.error()};
+    if (!coded) return Failure{located(coded.error())};
     *twins = {};
     number(*coded);
     describe(*coded);
@@ -111,6 +111,17 @@ class MeshEncoder {
   MeshInfo info;
 
  private:
+  /// Names the vertex of several fans, which encoding the connectivity only notices.
+  Error located(const Error& error) const {
+    if (error.code != ErrorCode::nonmanifold_vertex) return error;
+    const auto twins = find_twins(mesh_.corners, mesh_.vertex_count);
+    const std::uint32_t v = vertex_of_several_fans(mesh_.corners, *twins, mesh_.vertex_count);
+    if (v == Vertex::null_index)
+      return {ErrorCode::internal, Place::nowhere, 0, "the surface could not be built again"};
+    return {ErrorCode::nonmanifold_vertex, Place::vertex, v,
+            "its faces form more than one fan, expected one"};
+  }
+
   void number(EncodedConnectivity& coded) {
     order.vertices = coded.vertices;
     order.vertices.reserve(mesh_.vertex_count);

@@ -66,13 +66,21 @@ TEST(Adjacency, NamesWhatIsWrong) {
   EXPECT_EQ(e.code, ErrorCode::nonorientable);
   EXPECT_EQ(e.at, 0u);
 
-  e = error_of({0, 1, 2, 2, 3, 4}, 5);
-  EXPECT_EQ(e.code, ErrorCode::nonmanifold_vertex);
-  EXPECT_EQ(e.place, Place::vertex);
-  EXPECT_EQ(e.at, 2u);
-
   const Mesh strip = corpus::moebius_strip(6, 1);
   EXPECT_EQ(error_of(strip.corners, strip.vertex_count).code, ErrorCode::nonorientable);
+}
+
+TEST(Adjacency, FindsVerticesOfSeveralFans) {
+  const auto found = [](const std::vector<std::uint32_t>& corners, std::uint32_t vertices) {
+    auto twins = find_twins(corners, vertices);
+    EXPECT_TRUE(twins.ok());
+    return vertex_of_several_fans(corners, *twins, vertices);
+  };
+  EXPECT_EQ(found({0, 1, 2, 2, 3, 4}, 5), 2u);
+  const Mesh board = corpus::chessboard(3);
+  EXPECT_NE(found(board.corners, board.vertex_count), Vertex::null_index);
+  for (const Mesh& mesh : {corpus::grid(4, 4), corpus::torus(5, 5), corpus::single_triangle()})
+    EXPECT_EQ(found(mesh.corners, mesh.vertex_count), Vertex::null_index);
 }
 
 /// An edge of four faces, whose ends are one fan each when its faces are matched in pairs.

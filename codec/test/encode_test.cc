@@ -194,6 +194,24 @@ TEST(Encode, RefusesWhatItCannotCode) {
   EXPECT_EQ(error_of(quad).code, ErrorCode::polygon);
   EXPECT_EQ(describe(error_of(quad)), "face 0: has 4 corners, expected 3");
 
+  // Fans that meet in a vertex: open ones, closed ones, one of each, in one component and in
+  // several.
+  Mesh two_balls = corpus::copies(corpus::tetrahedron(), 2), pinched = corpus::torus(8, 8);
+  for (std::uint32_t& v : two_balls.corners)
+    if (v == 4) v = 0;
+  for (std::uint32_t& v : pinched.corners)
+    if (v == 36) v = 0;
+  Mesh ball_on_disc = corpus::copies(corpus::tetrahedron(), 2);
+  ball_on_disc.corners.resize(ball_on_disc.corners.size() - 3);
+  ball_on_disc.corners[12] = 0;
+  for (const Mesh& mesh :
+       {two_balls, pinched, ball_on_disc, corpus::chessboard(2), corpus::chessboard(9)})
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      const Error e = error_of(seed ? corpus::shuffle(mesh, seed) : mesh);
+      EXPECT_EQ(e.code, ErrorCode::nonmanifold_vertex);
+      EXPECT_EQ(e.place, Place::vertex);
+    }
+
   Mesh odd;
   odd.vertex_count = 4;
   odd.corners = {0, 1, 2, 3};
