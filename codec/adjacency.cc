@@ -3,20 +3,13 @@
 #include <algorithm>
 #include <optional>
 #include <string>
-#include <utility>
+
+#include "codec/edges.h"
 
 namespace clers {
 namespace {
 
 constexpr std::uint32_t none = HalfEdge::null_index;
-
-/// Raw forms of lnext and lprev: these loops are what encoding takes longest for.
-std::uint32_t next(std::uint32_t h) {
-  return h % 3 == 2 ? h - 2 : h + 1;
-}
-std::uint32_t prev(std::uint32_t h) {
-  return h % 3 == 0 ? h + 2 : h - 1;
-}
 
 /// Matches half-edges while the faces stream by. The edges of a vertex that are known so far, those
 /// to larger vertices, fill one cache line; in the order of most files it is in cache already.
@@ -93,23 +86,6 @@ class StreamingMatcher {
   std::uint64_t patience_ = 0;
 };
 
-/// Half-edges sorted by their edge, file order within: for meshes that defeat the lists, and to
-/// find what is wrong with a mesh.
-std::vector<std::uint32_t> sorted_by_edge(std::span<const std::uint32_t> org) {
-  std::vector<std::uint32_t> order(org.size());
-  for (std::uint32_t h = 0; h < order.size(); ++h) order[h] = h;
-  std::sort(order.begin(), order.end(), [&](std::uint32_t g, std::uint32_t h) {
-    const auto [g0, g1] = std::minmax(org[g], org[next(g)]);
-    const auto [h0, h1] = std::minmax(org[h], org[next(h)]);
-    return g0 != h0 ? g0 < h0 : g1 != h1 ? g1 < h1 : g < h;
-  });
-  return order;
-}
-
-bool same_edge(std::span<const std::uint32_t> org, std::uint32_t g, std::uint32_t h) {
-  return std::minmax(org[g], org[next(g)]) == std::minmax(org[h], org[next(h)]);
-}
-
 /// The first edge, in the order of the faces, that is not one of an oriented manifold.
 std::optional<Failure<Error>> bad_edge(std::span<const std::uint32_t> org,
                                        std::span<const std::uint32_t> order) {
@@ -117,7 +93,7 @@ std::optional<Failure<Error>> bad_edge(std::span<const std::uint32_t> org,
   std::size_t faces_there = 0;
   for (std::size_t i = 0; i < order.size();) {
     std::size_t j = i + 1;
-    while (j < order.size() && same_edge(org, order[i], order[j])) ++j;
+    while (j < order.size() && edge_of(org, order[i]) == edge_of(org, order[j])) ++j;
     const bool bad = j - i > 2 || (j - i == 2 && org[order[i]] == org[order[i + 1]]);
     if (bad && order[i] < first) {
       first = order[i];
@@ -127,7 +103,7 @@ std::optional<Failure<Error>> bad_edge(std::span<const std::uint32_t> org,
   }
   if (first == none) return std::nullopt;
   const std::string edge = "the edge of vertices " + std::to_string(org[first]) + " and " +
-                           std::to_string(org[next(first)]);
+                           std::to_string(org[next_corner(first)]);
   if (faces_there > 2)
     return fail(ErrorCode::nonmanifold_edge, Place::face, first / 3,
                 edge + " has " + std::to_string(faces_there) + " faces, expected at most 2");
@@ -140,7 +116,7 @@ void match_sorted(std::span<const std::uint32_t> org, std::span<const std::uint3
                   std::span<HalfEdge> twins) {
   std::fill(twins.begin(), twins.end(), HalfEdge());
   for (std::size_t i = 0; i + 1 < order.size(); ++i) {
-    if (!same_edge(org, order[i], order[i + 1])) continue;
+    if (edge_of(org, order[i]) != edge_of(org, order[i + 1])) continue;
     twins[order[i]] = HalfEdge(order[i + 1]);
     twins[order[i + 1]] = HalfEdge(order[i]);
     ++i;
@@ -153,10 +129,10 @@ std::uint64_t fan_size(std::span<const HalfEdge> twins, std::uint32_t start) {
   std::uint32_t h = start;
   do {
     ++count;
-    h = twins[prev(h)].index();
+    h = twins[previous_corner(h)].index();
   } while (h != none && h != start);
   if (h == start) return count;
-  for (h = twins[start].index(); h != none; h = twins[next(h)].index()) ++count;
+  for (h = twins[start].index(); h != none; h = twins[next_corner(h)].index()) ++count;
   return count;
 }
 

@@ -1,6 +1,7 @@
 #include "codec/decode.h"
 
 #include <new>
+#include <utility>
 
 #include "codec/mesh_reader.h"
 
@@ -20,6 +21,9 @@ Expected<Mesh> decode_mesh(const MeshSections& sections) {
     if (!attribute) return Failure{attribute.error()};
     mesh.attributes.push_back(std::move(*attribute));
   }
+  for (const TurnedRun& run : sections.turned)
+    for (std::size_t f = run.first; f < std::size_t(run.first) + run.count; ++f)
+      std::swap(mesh.corners[3 * f + 1], mesh.corners[3 * f + 2]);
   return mesh;
 }
 

@@ -7,6 +7,7 @@
 #include "codec/attribute.h"
 #include "codec/connectivity.h"
 #include "codec/container.h"
+#include "codec/orientation.h"
 
 namespace clers {
 namespace {
@@ -82,7 +83,7 @@ Attribute permuted(const Attribute& a, const Permutation& order) {
 class MeshEncoder {
  public:
   MeshEncoder(const Mesh& mesh, const EncodeOptions& options, ContainerWriter& out)
-      : mesh_(mesh), options_(options), out_(out) {}
+      : mesh_(mesh), options_(options), out_(out), corners_(mesh.corners) {}
 
   /// Writes the mesh's sections. `progress` takes shares of this mesh.
   template <class Progress>
@@ -90,9 +91,13 @@ class MeshEncoder {
     if (auto ok = check(mesh_); !ok) return ok;
     progress("adjacency", 0.0);
     auto twins = find_twins(mesh_.corners, mesh_.vertex_count);
+    if (!twins && twins.error().code == ErrorCode::nonorientable) {
+      if (auto ok = turn_faces(); !ok) return ok;
+      twins = find_twins(corners_, mesh_.vertex_count);
+    }
     if (!twins) return Failure{twins.error()};
     progress("connectivity", 0.2);
-    auto coded = encode_connectivity({mesh_.corners, *twins, mesh_.vertex_count}, options_.level);
+    auto coded = encode_connectivity({corners_, *twins, mesh_.vertex_count}, options_.level);
     if (!coded) return Failure{located(coded.error())};
     *twins = {};
     number(*coded);
@@ -100,22 +105,54 @@ class MeshEncoder {
 
     Bytes payload;
     put_varint(payload, mesh_.vertex_count - coded->vertices.size());
+    put_turned_runs(payload);
     put_bytes(payload, coded->bytes);
     out_.section(SectionKind::mesh, payload);
     info.connectivity_bytes = payload.size();
     if (!mesh_.name.empty()) out_.section(SectionKind::name, std::as_bytes(std::span(mesh_.name)));
-    return attributes(progress);
+    return attributes(coded->gates, progress);
   }
 
   Permutation order;
   MeshInfo info;
 
  private:
+  /// Gives all faces one orientation; the file says which were turned.
+  Expected<Done> turn_faces() {
+    auto turned = find_orientation(mesh_.corners);
+    if (!turned) return Failure{turned.error()};
+    turned_ = std::move(*turned);
+    turned_corners_ = mesh_.corners;
+    for (std::size_t f = 0; f < turned_.size(); ++f)
+      if (turned_[f]) std::swap(turned_corners_[3 * f + 1], turned_corners_[3 * f + 2]);
+    corners_ = turned_corners_;
+    return Done{};
+  }
+
+  /// Faces that a decoder turns back, as runs in the new order.
+  void put_turned_runs(Bytes& out) const {
+    std::vector<TurnedRun> runs;
+    for (std::uint32_t i = 0; i < order.faces.size() && !turned_.empty(); ++i) {
+      if (!turned_[order.faces[i]]) continue;
+      if (!runs.empty() && runs.back().first + runs.back().count == i)
+        ++runs.back().count;
+      else
+        runs.push_back({i, 1});
+    }
+    put_varint(out, runs.size());
+    std::uint32_t end = 0;
+    for (const TurnedRun& run : runs) {
+      put_varint(out, run.first - end);
+      put_varint(out, run.count);
+      end = run.first + run.count;
+    }
+  }
+
   /// Names the vertex of several fans, which encoding the connectivity only notices.
   Error located(const Error& error) const {
     if (error.code != ErrorCode::nonmanifold_vertex) return error;
-    const auto twins = find_twins(mesh_.corners, mesh_.vertex_count);
-    const std::uint32_t v = vertex_of_several_fans(mesh_.corners, *twins, mesh_.vertex_count);
+    const auto twins = find_twins(corners_, mesh_.vertex_count);
+    const std::uint32_t v = vertex_of_several_fans(corners_, *twins, mesh_.vertex_count);
     if (v == Vertex::null_index)
       return {ErrorCode::internal, Place::nowhere, 0, "the surface could not be built again"};
     return {ErrorCode::nonmanifold_vertex, Place::vertex, v,
@@ -134,8 +171,9 @@ class MeshEncoder {
     order.faces.reserve(coded.gates.size());
     order.first_corners.reserve(coded.gates.size());
     for (const HalfEdge gate : coded.gates) {
-      order.faces.push_back(left(gate).index());
-      order.first_corners.push_back(corner(gate));
+      const std::uint32_t f = left(gate).index(), c = corner(gate);
+      order.faces.push_back(f);
+      order.first_corners.push_back(turned_.empty() || !turned_[f] ? c : (3 - c) % 3);
     }
   }
 
@@ -151,14 +189,15 @@ class MeshEncoder {
   }
 
   template <class Progress>
-  Expected<Done> attributes(Progress progress) {
-    // The coded index buffer is needed to predict along it.
+  Expected<Done> attributes(std::span<const HalfEdge> gates, Progress progress) {
+    // The coded index buffer, all faces one way round, is needed to predict along it.
     std::vector<std::uint32_t> new_number(mesh_.vertex_count), corners(mesh_.corners.size());
     for (std::uint32_t i = 0; i < order.vertices.size(); ++i) new_number[order.vertices[i]] = i;
-    for (std::size_t i = 0; i < order.faces.size(); ++i)
-      for (unsigned j = 0; j < 3; ++j)
-        corners[3 * i + j] = new_number[mesh_.corners[3 * std::size_t(order.faces[i]) +
-                                                      (order.first_corners[i] + j) % 3]];
+    for (std::size_t i = 0; i < gates.size(); ++i) {
+      HalfEdge h = gates[i];
+      for (unsigned j = 0; j < 3; ++j, h = lnext(h))
+        corners[3 * i + j] = new_number[corners_[h.index()]];
+    }
     std::size_t done = 0;
     for (const Attribute& a : mesh_.attributes) {
       progress(a.name, 0.4 + 0.6 * static_cast<double>(done++) /
@@ -176,6 +215,9 @@ class MeshEncoder {
   const Mesh& mesh_;
   const EncodeOptions& options_;
   ContainerWriter& out_;
+  std::span<const std::uint32_t> corners_;  ///< the mesh's, or turned_corners_
+  std::vector<std::uint32_t> turned_corners_;
+  std::vector<bool> turned_;  ///< faces; empty: none
 };
 
 }  // namespace

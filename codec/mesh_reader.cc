@@ -1,5 +1,8 @@
 #include "codec/mesh_reader.h"
 
+#include <algorithm>
+#include <cstdint>
+
 namespace clers {
 namespace {
 
@@ -12,6 +15,19 @@ Expected<MeshSections> read_mesh(const Section& section, const Limits& limits) {
   MeshSections mesh;
   ByteReader in(section.payload, section.at);
   mesh.isolated = in.varint();
+  const std::uint64_t turned_at = in.offset();
+  const std::uint64_t runs = in.varint();
+  std::uint64_t end = 0;
+  for (std::uint64_t i = 0; i < runs && in.ok(); ++i) {
+    const std::uint64_t first = end + in.varint(), count = in.varint();
+    if (!in.ok()) break;
+    if (first < end || first > max_faces || count == 0 || count > max_faces - first ||
+        (i > 0 && first == end))
+      return fail(ErrorCode::invalid, Place::byte, turned_at,
+                  "a run of turned faces is out of order");
+    end = first + count;
+    mesh.turned.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)});
+  }
   if (!in.ok()) return Failure{in.error()};
   mesh.payload_size = section.payload.size();
   mesh.connectivity_bytes = section.payload.subspan(in.position());
@@ -19,6 +35,10 @@ Expected<MeshSections> read_mesh(const Section& section, const Limits& limits) {
   auto header = read_connectivity_header(mesh.connectivity_bytes, mesh.connectivity_at);
   if (!header) return Failure{header.error()};
   mesh.connectivity = *header;
+  if (end > header->faces)
+    return fail(
+        ErrorCode::invalid, Place::byte, turned_at,
+        "turned faces up to " + std::to_string(end) + " of " + std::to_string(header->faces));
   if (mesh.isolated > 0xffffffffu - std::uint64_t(header->vertices))
     return fail(
         ErrorCode::invalid, Place::byte, section.at,
@@ -48,10 +68,12 @@ Expected<MeshSections::AttributeSection> read_attribute(const Section& section,
 Expected<std::vector<MeshSections>> read_meshes(ContainerReader& file, const Limits& limits) {
   if (auto ok = file.open(); !ok) return Failure{ok.error()};
   std::vector<MeshSections> meshes;
-  std::uint64_t memory = 0;
+  // No more than can be addressed, so that sizes below fit in std::size_t.
+  std::uint64_t left = std::min<std::uint64_t>(limits.memory, PTRDIFF_MAX);
   const auto take = [&](std::uint64_t bytes) {
-    memory = bytes > limits.memory - memory ? ~std::uint64_t(0) : memory + bytes;
-    return memory <= limits.memory;
+    if (bytes > left) return false;
+    left -= bytes;
+    return true;
   };
   for (;;) {
     auto section = file.next();
@@ -66,17 +88,16 @@ Expected<std::vector<MeshSections>> read_meshes(ContainerReader& file, const Lim
         auto mesh = read_mesh(*section, limits);
         if (!mesh) return Failure{mesh.error()};
         if (!take(12 * std::uint64_t(mesh->connectivity.faces)))
-          return over(section->at, "bytes of memory are exceeded by the faces", limits.memory,
-                      limits.memory);
+          return over(section->at, "bytes for faces and more",
+                      12 * std::uint64_t(mesh->connectivity.faces), limits.memory);
         meshes.push_back(std::move(*mesh));
         break;
       }
       case SectionKind::attribute: {
         auto attribute = read_attribute(*section, meshes.back());
         if (!attribute) return Failure{attribute.error()};
-        if (!take(attribute->count * attribute->header.attribute.stride()))
-          return over(section->at, "bytes of memory are exceeded by the values", limits.memory,
-                      limits.memory);
+        const std::uint64_t size = attribute->count * attribute->header.attribute.stride();
+        if (!take(size)) return over(section->at, "bytes for values and more", size, limits.memory);
         meshes.back().attributes.push_back(std::move(*attribute));
         break;
       }

@@ -11,6 +11,7 @@
 #include "codec/connectivity.h"
 #include "codec/container.h"
 #include "codec/decode.h"
+#include "codec/orientation.h"
 
 namespace clers {
 
@@ -18,6 +19,7 @@ namespace clers {
 struct MeshSections {
   std::uint64_t vertices = 0;  ///< isolated ones included
   std::uint64_t isolated = 0;
+  std::vector<TurnedRun> turned;  ///< faces to turn round when all else is done
   ConnectivityHeader connectivity;
   std::span<const std::byte> connectivity_bytes;  ///< without what stands before
   std::uint64_t connectivity_at = 0;

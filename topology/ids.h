@@ -33,13 +33,19 @@ using Face = Id<struct FaceTag>;
 using HalfEdge = Id<struct HalfEdgeTag>;    ///< 3f+i runs from corner i to corner i+1 of face f
 using Curve = Id<struct CurveTag>;          ///< a boundary curve
 using Component = Id<struct ComponentTag>;  ///< a connected component
-using Point = Id<struct PointTag>;          ///< what copies of a vertex made by a cut share (Appendix A)
+using Point = Id<struct PointTag>;  ///< what copies of a vertex made by a cut share (Appendix A)
 
 constexpr std::uint32_t max_faces = 0xfffffffeu / 3;  ///< so that every half-edge has an id
 
-constexpr HalfEdge half_edge(Face f, unsigned corner) { return HalfEdge(3 * f.index() + corner); }
-constexpr Face left(HalfEdge h) { return Face(h.index() / 3); }
-constexpr unsigned corner(HalfEdge h) { return h.index() % 3; }
+constexpr HalfEdge half_edge(Face f, unsigned corner) {
+  return HalfEdge(3 * f.index() + corner);
+}
+constexpr Face left(HalfEdge h) {
+  return Face(h.index() / 3);
+}
+constexpr unsigned corner(HalfEdge h) {
+  return h.index() % 3;
+}
 constexpr HalfEdge lnext(HalfEdge h) {
   return HalfEdge(corner(h) == 2 ? h.index() - 2 : h.index() + 1);
 }

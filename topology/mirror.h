@@ -22,7 +22,7 @@ namespace clers {
 using OperatorTrace = std::vector<std::uint8_t>;
 inline constexpr std::uint8_t create_or_destroy = 0xff;
 
-/// Operators of a trace as coordinates of the paper's basis (§5.1.3).
+/// Operators of a trace that builds, as coordinates of the paper's basis (§5.1.3).
 inline OperatorCounts count_operators(const OperatorTrace& trace) {
   OperatorCounts counts;
   for (const std::uint8_t step : trace) {

@@ -148,6 +148,23 @@ TEST(Encode, SeveralMeshesAndIsolatedVertices) {
   round_trip(meshes);
 }
 
+/// Faces that run against their neighbours keep running against them.
+TEST(Encode, InconsistentOrientationSurvives) {
+  std::vector<Mesh> meshes = {corpus::icosphere(2), corpus::grid(6, 5), corpus::torus(9, 8)};
+  meshes.push_back(corpus::copies(corpus::tetrahedron(), 3));
+  std::uint32_t random = 1;
+  for (Mesh& mesh : meshes)
+    for (std::size_t f = 0; f < mesh.face_count(); ++f)
+      if ((random = random * 1664525u + 1013904223u) >> 30 == 0)
+        std::swap(mesh.corners[3 * f], mesh.corners[3 * f + 1]);
+  meshes[1].attributes.push_back(
+      random_attribute("uv", Domain::corner, Scalar::float32, 2, meshes[1].corners.size(), 5));
+  round_trip(meshes);
+
+  const Mesh strip = corpus::moebius_strip(9, 2);
+  EXPECT_EQ(error_of(strip).code, ErrorCode::nonorientable);
+}
+
 TEST(Encode, OddFloatsSurvive) {
   Mesh mesh = corpus::icosphere(1);
   std::vector<float> p(3 * std::size_t(mesh.vertex_count), -0.0f);
