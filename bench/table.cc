@@ -75,7 +75,7 @@ bool is_irregular(const Result& r) {
 std::vector<Group> groups_of(const std::vector<Result>& results) {
   std::vector<Group> groups = {
       {"manifold", [](const Result& r) { return r.manifold; }},
-      {"-plant", [](const Result& r) { return r.manifold && !is_plant(r); }},
+      {"no plant", [](const Result& r) { return r.manifold && !is_plant(r); }},
       {"irregular", is_irregular},
   };
   std::set<std::string> families;
