@@ -240,14 +240,14 @@ std::uint32_t cost(std::uint32_t size) {
 /// The history length that codes these symbols in the fewest bits, judged by a part of them at the
 /// front: the first quarter of that part is for learning when there is more behind it.
 unsigned choose_history(std::span<const std::uint8_t> contexts, int level) {
-  constexpr std::size_t judged = 1u << 16;
   struct Candidate {
     unsigned history;
     std::size_t least_symbols;  ///< fewer do not pay for clearing its table
   };
   constexpr Candidate candidates[] = {{1, 0}, {3, 64}, {4, 1024}, {6, 1u << 15}};
   if (level < 3) return 3;
-  const std::size_t end = std::min(contexts.size(), judged);
+  const std::size_t end =
+      std::min(contexts.size(), std::clamp<std::size_t>(contexts.size() / 4, 1u << 14, 1u << 16));
   const std::size_t begin = end < contexts.size() ? end / 4 : 1;
   unsigned best = 1;
   std::uint64_t least = ~std::uint64_t(0);
