@@ -76,7 +76,7 @@ Expected<ConnectivityHeader> read_connectivity_header(std::span<const std::byte>
     return invalid(std::to_string(vertices) + " vertices and " + std::to_string(merges) +
                    " merges cannot belong to " + std::to_string(faces) + " faces");
   if (history < 1 || history > SymbolModel::max_history)
-    return invalid("a history of " + std::to_string(history) + " symbols, expected 1 to 6");
+    return invalid("a history of " + std::to_string(history) + " symbols, expected 1 to 8");
   header.faces = static_cast<std::uint32_t>(faces);
   header.vertices = static_cast<std::uint32_t>(vertices);
   header.merges = static_cast<std::uint32_t>(merges);

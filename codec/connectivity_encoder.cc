@@ -244,7 +244,7 @@ unsigned choose_history(std::span<const std::uint8_t> contexts, int level) {
     unsigned history;
     std::size_t least_symbols;  ///< fewer do not pay for clearing its table
   };
-  constexpr Candidate candidates[] = {{1, 0}, {3, 64}, {4, 1024}, {6, 1u << 15}};
+  constexpr Candidate candidates[] = {{1, 0}, {3, 64}, {4, 1024}, {6, 1024}, {8, 1024}};
   if (level < 3) return 3;
   const std::size_t end =
       std::min(contexts.size(), std::clamp<std::size_t>(contexts.size() / 4, 1u << 14, 1u << 16));

@@ -59,14 +59,15 @@ static_assert(sizeof(SymbolRecord) == 32);
 
 class SymbolModel {
  public:
-  static constexpr unsigned max_valence = 15, max_history = 6;
+  static constexpr unsigned max_valence = 15, max_history = 8, table_bits = 12;
 
   /// k symbols of history, 1..max_history. May fail to allocate: see ok().
   explicit SymbolModel(unsigned k)
       : mask_((1u << 2 * k) - 1),
         bits_(2 * k),
+        hashed_(k > 4),
         first_(allocate(std::size_t(max_valence + 1) << 2)),
-        second_(allocate(std::size_t(max_valence + 1) << bits_)) {
+        second_(allocate(std::size_t(1) << std::min(4 + bits_, table_bits))) {
     if (!ok()) return;
     for (unsigned c = 0; c < (max_valence + 1) << 2; ++c) first_[c] = initial();
   }
@@ -126,7 +127,9 @@ class SymbolModel {
 
   SymbolRecord& context(std::uint32_t kx) {
     kx = std::min(kx, max_valence);
-    SymbolRecord& record = second_[kx << bits_ | (history_ & mask_)];
+    std::uint32_t index = kx << bits_ | (history_ & mask_);
+    if (hashed_) index = index * 0x9e3779b1u >> (32 - table_bits);
+    SymbolRecord& record = second_[index];
     if (record.seen == 0) {
       record = first_[kx << 2 | (history_ & 3)];
       record.seen = std::min(record.seen, 2u);
@@ -143,6 +146,7 @@ class SymbolModel {
   std::uint32_t history_ = 0;
   std::uint32_t mask_;
   unsigned bits_;
+  bool hashed_;   ///< contexts of long histories share a table that stays in cache
   Table first_;   ///< (valence, last symbol)
   Table second_;  ///< (valence, last k symbols)
 };
