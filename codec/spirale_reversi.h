@@ -59,13 +59,14 @@ constexpr std::uint64_t allowed_steps(std::uint64_t faces) {
   return 1024 + 1024 * faces;
 }
 
-/// Runs the string that `source` gives. Source answers what the stream says; see
-/// ConnectivityDecoder's SymbolSource for the meaning of each question.
+/// Runs the string that `source` gives. A Source answers the questions of codec/format.md:
+/// StreamSource from a stream, RecordingSource from what the encoder knows. One that `resolves`
+/// calls every curve that is split off a `split`; those that no S joins turn out to be holes.
 template <class Pairing, class Source>
 class SpiraleReversi {
  public:
-  using Surface = Front<Pairing>;
-  using Gate = typename Surface::Gate;
+  using Gate = typename Front<Pairing>::Gate;
+  using Corners = typename Front<Pairing>::Corners;
 
   SpiraleReversi(Building& to, Pairing& pairing, Source& source)
       : to_(to), front_(to.links.data(), pairing), source_(source) {}
@@ -78,7 +79,7 @@ class SpiraleReversi {
     FrontLink* const links = to_.links.data();
     steps_left_ = allowed_steps(faces);
     std::uint32_t made = 0, finished = 0;
-    typename Surface::Corners c;
+    Corners c;
     Front<Pairing> front = front_;
 
     if (ids < 3) return {Broken::too_many_vertices, 0};
@@ -139,7 +140,7 @@ class SpiraleReversi {
   }
 
  private:
-  static void write(std::uint32_t* out, typename Surface::Corners c) {
+  static void write(std::uint32_t* out, Corners c) {
     out[0] = c.a;
     out[1] = c.b;
     out[2] = c.v;
@@ -148,7 +149,7 @@ class SpiraleReversi {
   struct Step {
     Broken broken = Broken::none;
     Gate gate;
-    typename Surface::Corners corners;
+    Corners corners;
   };
 
   /// S that does not join to the gate put aside last: to an edge of the same curve (1b), or to one
@@ -222,7 +223,7 @@ class SpiraleReversi {
   }
 
   Gate glue(Gate gate, Face f, std::uint32_t p, std::uint32_t kp, std::uint32_t q, std::uint32_t kq,
-            typename Pairing::Edge pq, HandleCase as, typename Surface::Corners& c) {
+            typename Pairing::Edge pq, HandleCase as, Corners& c) {
     const Gate next = front_.attach_glue(gate, f, p, kp, q, kq, pq, as, c);
     to_.links[gate.x] = {q, merged_away};
     to_.merged.push_back(gate.x);

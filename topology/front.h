@@ -122,7 +122,8 @@ class Front {
   ///                                 a= p \         / : x and q are one
   ///   ... prev(x) ---> x ===> y ---      new gate p ===> y
   ///
-  /// Precondition: p, q, x, y are distinct but for q == prev.. of x; p -> q is not the gate.
+  /// Preconditions: p -> q is a boundary edge but not the gate, and x is not one of its ends; p is
+  /// not y.
   Gate attach_glue(Gate g, Face f, std::uint32_t p, std::uint32_t kp, std::uint32_t q,
                    std::uint32_t kq, Edge pq, HandleCase as, Corners& c) {
     c = {p, g.y, g.x};
