@@ -190,6 +190,7 @@ class MeshEncoder {
 
   template <class Progress>
   Expected<Done> attributes(std::span<const HalfEdge> gates, Progress progress) {
+    if (mesh_.attributes.empty()) return Done{};
     // The coded index buffer, all faces one way round, is needed to predict along it.
     std::vector<std::uint32_t> new_number(mesh_.vertex_count), corners(mesh_.corners.size());
     for (std::uint32_t i = 0; i < order.vertices.size(); ++i) new_number[order.vertices[i]] = i;
