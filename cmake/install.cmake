@@ -26,6 +26,10 @@ if(BUILD_SHARED_LIBS)
 else()
   set(clers_pc_requires "Requires")
 endif()
+# The prefix is found from where the file lies: an installed tree can be moved, and `cmake --install
+# --prefix` may name another one than was configured.
+file(RELATIVE_PATH clers_pc_up /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+string(REGEX REPLACE "/$" "" clers_pc_up ${clers_pc_up})
 configure_file(cmake/clers.pc.in clers.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/clers.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
