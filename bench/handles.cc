@@ -15,7 +15,7 @@ int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     std::optional<Mesh> mesh = corpus::cook(argv[i]);
     if (!mesh) mesh = bench::read_input(argv[i]).mesh;
-    auto twins = find_twins(mesh->corners, mesh->vertex_count);
+    auto twins = find_twins({mesh->corners, mesh->face_sizes}, mesh->vertex_count);
     if (!twins)
       return std::fprintf(stderr, "%s: %s\n", argv[i], describe(twins.error()).c_str()), 1;
     auto coded = encode_connectivity({mesh->corners, *twins, mesh->vertex_count}, default_level);

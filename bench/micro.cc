@@ -48,7 +48,7 @@ struct Surface {
 
   explicit Surface(const Mesh& mesh)
       : corners(mesh.corners),
-        twins(must(find_twins(mesh.corners, mesh.vertex_count))),
+        twins(must(find_twins({mesh.corners, mesh.face_sizes}, mesh.vertex_count))),
         vertices(mesh.vertex_count) {}
 };
 
@@ -59,7 +59,8 @@ EncodedConnectivity encoded(const Surface& s) {
 
 void adjacency(benchmark::State& state) {
   const Mesh& mesh = mesh_of(state);
-  for (auto _ : state) benchmark::DoNotOptimize(must(find_twins(mesh.corners, mesh.vertex_count)));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(must(find_twins({mesh.corners, mesh.face_sizes}, mesh.vertex_count)));
   count_items(state, mesh.face_count());
 }
 BENCHMARK(adjacency)->Arg(regular)->Arg(irregular);

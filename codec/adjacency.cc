@@ -17,18 +17,13 @@ constexpr std::uint32_t none = HalfEdge::null_index;
 /// gives up, as it does at an edge that is not one of an oriented manifold.
 class StreamingMatcher {
  public:
-  StreamingMatcher(std::span<const std::uint32_t> org, std::span<HalfEdge> twins,
-                   std::uint32_t vertices)
-      : org_(org), twins_(twins), cells_(vertices) {}
+  StreamingMatcher(const Faces& faces, std::span<HalfEdge> twins, std::uint32_t vertices)
+      : faces_(faces), org_(faces.org), twins_(twins), cells_(vertices) {}
 
   bool run() {
     const std::uint32_t n = static_cast<std::uint32_t>(org_.size());
     patience_ = 64 + 32 * std::uint64_t(n);
-    for (std::uint32_t h = 0; h < n; h += 3) {
-      const std::uint32_t a = org_[h], b = org_[h + 1], c = org_[h + 2];
-      if (!match(h, a, b) || !match(h + 1, b, c) || !match(h + 2, c, a)) return false;
-    }
-    return true;
+    return faces_.triangles() ? match_triangles(n) : match_polygons(faces_.count());
   }
 
  private:
@@ -43,6 +38,24 @@ class StreamingMatcher {
     Slot slot;
     std::uint32_t next;
   };
+
+  bool match_triangles(std::uint32_t n) {
+    for (std::uint32_t h = 0; h < n; h += 3) {
+      const std::uint32_t a = org_[h], b = org_[h + 1], c = org_[h + 2];
+      if (!match(h, a, b) || !match(h + 1, b, c) || !match(h + 2, c, a)) return false;
+    }
+    return true;
+  }
+
+  bool match_polygons(std::uint32_t n) {
+    for (std::uint32_t f = 0; f < n; ++f) {
+      const std::uint32_t first = faces_.begin(f), last = faces_.end(f) - 1;
+      for (std::uint32_t h = first; h < last; ++h)
+        if (!match(h, org_[h], org_[h + 1])) return false;
+      if (!match(last, org_[last], org_[first])) return false;
+    }
+    return true;
+  }
 
   bool match(std::uint32_t h, std::uint32_t a, std::uint32_t b) {
     const std::uint32_t low = std::min(a, b), high = std::max(a, b);
@@ -78,6 +91,7 @@ class StreamingMatcher {
     return true;
   }
 
+  const Faces& faces_;
   std::span<const std::uint32_t> org_;
   std::span<HalfEdge> twins_;
   std::vector<Cell> cells_;           ///< by smaller end
@@ -86,88 +100,65 @@ class StreamingMatcher {
   std::uint64_t patience_ = 0;
 };
 
-/// The first edge, in the order of the faces, that is not one of an oriented manifold.
-std::optional<Failure<Error>> bad_edge(std::span<const std::uint32_t> org,
-                                       std::span<const std::uint32_t> order) {
+/// Twins by sorting, which no hub slows down; or the first edge, in the order of the faces, that is
+/// not one of an oriented manifold.
+std::optional<Failure<Error>> match_sorted(const Faces& faces, std::uint32_t vertex_count,
+                                           std::span<HalfEdge> twins) {
+  std::fill(twins.begin(), twins.end(), HalfEdge());
   std::uint32_t first = none;
   std::size_t faces_there = 0;
-  for (std::size_t i = 0; i < order.size();) {
-    std::size_t j = i + 1;
-    while (j < order.size() && edge_of(org, order[i]) == edge_of(org, order[j])) ++j;
-    const bool bad = j - i > 2 || (j - i == 2 && org[order[i]] == org[order[i + 1]]);
-    if (bad && order[i] < first) {
-      first = order[i];
-      faces_there = j - i;
+  for_each_edge(faces, vertex_count, [&](std::span<const std::uint32_t> sides) {
+    const bool bad =
+        sides.size() > 2 || (sides.size() == 2 && faces.org[sides[0]] == faces.org[sides[1]]);
+    if (bad && sides[0] < first) {
+      first = sides[0];
+      faces_there = sides.size();
+    } else if (!bad && sides.size() == 2) {
+      twins[sides[0]] = HalfEdge(sides[1]);
+      twins[sides[1]] = HalfEdge(sides[0]);
     }
-    i = j;
-  }
+  });
   if (first == none) return std::nullopt;
-  const std::string edge = "the edge of vertices " + std::to_string(org[first]) + " and " +
-                           std::to_string(org[next_corner(first)]);
+  const std::string edge = "the edge of vertices " + std::to_string(faces.org[first]) + " and " +
+                           std::to_string(faces.org[faces.next(first)]);
   if (faces_there > 2)
-    return fail(ErrorCode::nonmanifold_edge, Place::face, first / 3,
+    return fail(ErrorCode::nonmanifold_edge, Place::face, faces.face(first),
                 edge + " has " + std::to_string(faces_there) + " faces, expected at most 2");
   return fail(
-      ErrorCode::nonorientable, Place::face, first / 3,
+      ErrorCode::nonorientable, Place::face, faces.face(first),
       edge + " is run along in the same direction by its two faces, expected opposite ones");
 }
 
-void match_sorted(std::span<const std::uint32_t> org, std::span<const std::uint32_t> order,
-                  std::span<HalfEdge> twins) {
-  std::fill(twins.begin(), twins.end(), HalfEdge());
-  for (std::size_t i = 0; i + 1 < order.size(); ++i) {
-    if (edge_of(org, order[i]) != edge_of(org, order[i + 1])) continue;
-    twins[order[i]] = HalfEdge(order[i + 1]);
-    twins[order[i + 1]] = HalfEdge(order[i]);
-    ++i;
-  }
-}
-
 /// Corners of the fan that contains a corner, both ways round.
-std::uint64_t fan_size(std::span<const HalfEdge> twins, std::uint32_t start) {
+std::uint64_t fan_size(const Faces& faces, std::span<const HalfEdge> twins, std::uint32_t start) {
   std::uint64_t count = 0;
   std::uint32_t h = start;
   do {
     ++count;
-    h = twins[previous_corner(h)].index();
+    h = twins[faces.prev(h)].index();
   } while (h != none && h != start);
   if (h == start) return count;
-  for (h = twins[start].index(); h != none; h = twins[next_corner(h)].index()) ++count;
+  for (h = twins[start].index(); h != none; h = twins[faces.next(h)].index()) ++count;
   return count;
 }
 
 }  // namespace
 
-Expected<std::vector<HalfEdge>> find_twins(std::span<const std::uint32_t> corners,
-                                           std::uint32_t vertex_count) {
-  for (std::size_t h = 0; h < corners.size(); h += 3) {
-    const std::uint32_t a = corners[h], b = corners[h + 1], c = corners[h + 2];
-    for (const std::uint32_t v : {a, b, c})
-      if (v >= vertex_count)
-        return fail(ErrorCode::inconsistent_mesh, Place::face, h / 3,
-                    "has vertex " + std::to_string(v) + ", expected one below " +
-                        std::to_string(vertex_count));
-    if (a == b || b == c || c == a)
-      return fail(ErrorCode::repeated_vertex, Place::face, h / 3,
-                  "uses vertex " + std::to_string(a == b ? a : c) + " twice");
-  }
-  std::vector<HalfEdge> twins(corners.size());
-  if (StreamingMatcher(corners, twins, vertex_count).run()) return twins;
-
-  const std::vector<std::uint32_t> order = sorted_by_edge(corners);
-  if (auto failure = bad_edge(corners, order)) return *failure;
-  match_sorted(corners, order, twins);
+Expected<std::vector<HalfEdge>> find_twins(const Faces& faces, std::uint32_t vertex_count) {
+  std::vector<HalfEdge> twins(faces.org.size());
+  if (StreamingMatcher(faces, twins, vertex_count).run()) return twins;
+  if (auto failure = match_sorted(faces, vertex_count, twins)) return *failure;
   return twins;
 }
 
-std::uint32_t vertex_of_several_fans(std::span<const std::uint32_t> corners,
-                                     std::span<const HalfEdge> twins, std::uint32_t vertex_count) {
+std::uint32_t vertex_of_several_fans(const Faces& faces, std::span<const HalfEdge> twins,
+                                     std::uint32_t vertex_count) {
   std::vector<std::uint32_t> corners_of(vertex_count);
-  for (const std::uint32_t v : corners) ++corners_of[v];
-  for (std::uint32_t h = 0; h < corners.size(); ++h) {
-    std::uint32_t& left_over = corners_of[corners[h]];
+  for (const std::uint32_t v : faces.org) ++corners_of[v];
+  for (std::uint32_t h = 0; h < faces.org.size(); ++h) {
+    std::uint32_t& left_over = corners_of[faces.org[h]];
     if (left_over == 0) continue;  // looked at before
-    if (fan_size(twins, h) != left_over) return corners[h];
+    if (fan_size(faces, twins, h) != left_over) return faces.org[h];
     left_over = 0;
   }
   return Vertex::null_index;

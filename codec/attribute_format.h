@@ -33,15 +33,9 @@ auto with_word(Scalar s, F f) {
 template <class Visit>
 void for_each_value(Predictor predictor, std::size_t count, std::span<const std::uint32_t> corners,
                     Visit visit) {
-  std::size_t used = 0;
-  if (predictor == Predictor::parallelogram) {
-    for_each_vertex(corners, static_cast<std::uint32_t>(count), [&](std::uint32_t v, Guess g) {
-      visit(v, g);
-      ++used;
-    });
-  }
-  // Vertices of faces are numbered before isolated ones, so those are what is left.
-  for (std::size_t i = used; i < count; ++i) {
+  if (predictor == Predictor::parallelogram)
+    return for_each_vertex(corners, static_cast<std::uint32_t>(count), visit);
+  for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t v = static_cast<std::uint32_t>(i);
     const std::uint32_t g = predictor == Predictor::none || i == 0 ? v : v - 1;
     visit(v, Guess{g, g, g});

@@ -3,28 +3,25 @@
 #include <new>
 #include <utility>
 
-#include "codec/mesh_reader.h"
+#include "codec/mesh_decoder.h"
 
 namespace clers {
 namespace {
 
 Expected<Mesh> decode_mesh(const MeshSections& sections) {
-  Mesh mesh;
-  mesh.name = sections.name;
-  mesh.vertex_count = static_cast<std::uint32_t>(sections.vertices);
-  mesh.corners.resize(3 * std::size_t(sections.connectivity.faces));
-  auto counts = decode_connectivity(sections.connectivity_bytes, sections.connectivity_at,
-                                    sections.connectivity, mesh.corners);
-  if (!counts) return Failure{counts.error()};
+  auto decoded = decode_faces(sections);
+  if (!decoded) return Failure{decoded.error()};
+  Mesh& mesh = decoded->mesh;
+  const std::span<const std::uint32_t> triangles =
+      decoded->all_on_surface ? mesh.corners : decoded->triangles;
   for (const MeshSections::AttributeSection& a : sections.attributes) {
-    auto attribute = decode_attribute(a.bytes, a.at, a.header, a.count, mesh.corners);
+    auto attribute = decode_attribute(a.bytes, a.at, a.header, a.count, triangles);
     if (!attribute) return Failure{attribute.error()};
     mesh.attributes.push_back(std::move(*attribute));
   }
-  for (const TurnedRun& run : sections.turned)
-    for (std::size_t f = run.first; f < std::size_t(run.first) + run.count; ++f)
-      std::swap(mesh.corners[3 * f + 1], mesh.corners[3 * f + 2]);
-  return mesh;
+  turn_back(mesh, decoded->turned);
+  if (auto ok = restore_order(sections, mesh); !ok) return Failure{ok.error()};
+  return std::move(mesh);
 }
 
 }  // namespace

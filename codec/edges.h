@@ -1,4 +1,4 @@
-// Half-edges of a triangle mesh as raw numbers, and sorted by their edge.
+// The half-edges of faces, those of one edge together.
 #ifndef CLERS_CODEC_EDGES_H
 #define CLERS_CODEC_EDGES_H
 
@@ -8,30 +8,36 @@
 #include <utility>
 #include <vector>
 
+#include "codec/faces.h"
+
 namespace clers {
 
-inline std::uint32_t next_corner(std::uint32_t h) {
-  return h % 3 == 2 ? h - 2 : h + 1;
-}
-inline std::uint32_t previous_corner(std::uint32_t h) {
-  return h % 3 == 0 ? h + 2 : h - 1;
-}
-
-/// The two ends of a half-edge's edge, smaller first.
-inline std::pair<std::uint32_t, std::uint32_t> edge_of(std::span<const std::uint32_t> org,
-                                                       std::uint32_t h) {
-  return std::minmax({org[h], org[next_corner(h)]});
-}
-
-/// All half-edges, those of one edge together, in file order among themselves. Cost: a sort.
-inline std::vector<std::uint32_t> sorted_by_edge(std::span<const std::uint32_t> org) {
-  std::vector<std::uint32_t> order(org.size());
-  for (std::uint32_t h = 0; h < order.size(); ++h) order[h] = h;
-  std::sort(order.begin(), order.end(), [&](std::uint32_t g, std::uint32_t h) {
-    const auto a = edge_of(org, g), b = edge_of(org, h);
-    return a != b ? a < b : g < h;
-  });
-  return order;
+/// Calls visit with all half-edges of an edge, in file order, for every edge, by its smaller and
+/// then its larger vertex. Cost: linear (two passes of counting sort); 12 bytes a corner and 4 a
+/// vertex.
+template <class Visit>
+void for_each_edge(const Faces& faces, std::uint32_t vertex_count, Visit visit) {
+  const std::uint32_t n = static_cast<std::uint32_t>(faces.org.size());
+  const auto ends = [&](std::uint32_t h) {
+    return std::minmax(faces.org[h], faces.org[faces.next(h)]);
+  };
+  const auto sorted = [&](std::span<const std::uint32_t> in, auto key) {
+    std::vector<std::uint32_t> place(std::size_t(vertex_count) + 1), out(n);
+    for (const std::uint32_t h : in) ++place[key(h) + 1];
+    for (std::size_t v = 1; v < place.size(); ++v) place[v] += place[v - 1];
+    for (const std::uint32_t h : in) out[place[key(h)]++] = h;
+    return out;
+  };
+  std::vector<std::uint32_t> order(n);
+  for (std::uint32_t h = 0; h < n; ++h) order[h] = h;
+  order = sorted(order, [&](std::uint32_t h) { return ends(h).second; });
+  order = sorted(order, [&](std::uint32_t h) { return ends(h).first; });
+  for (std::uint32_t i = 0; i < n;) {
+    std::uint32_t j = i + 1;
+    while (j < n && ends(order[i]) == ends(order[j])) ++j;
+    visit(std::span<const std::uint32_t>(order).subspan(i, j - i));
+    i = j;
+  }
 }
 
 }  // namespace clers

@@ -17,15 +17,34 @@ namespace clers {
 
 inline constexpr int min_level = 1, max_level = 9, default_level = 5;
 
+/// What to do with faces that most programs do not expect.
+enum class OnOddity : std::uint8_t {
+  keep,   ///< they come back as they were
+  error,  ///< encoding fails and names the first
+};
+
+/// What becomes of the order of vertices and faces, and of the corner that a face begins with.
+enum class Order : std::uint8_t {
+  free,  ///< the codec's; Encoded::permutations tells it
+  keep,  ///< stored: index buffers come back identical
+};
+
 struct EncodeOptions {
   int level = default_level;  ///< 1 fastest .. 9 smallest
+
+  Order order = Order::free;
+  OnOddity on_nonmanifold = OnOddity::keep;  ///< edges of more than two faces or of two that run
+                                             ///< the same way, vertices of several fans
+  OnOddity on_degenerate = OnOddity::keep;  ///< faces that repeat a vertex, or have under three
+  OnOddity on_duplicate = OnOddity::keep;   ///< faces on the same vertices as an earlier one
 
   /// Called now and then with the name of the stage and the share of the whole work that is done,
   /// 0..1, never decreasing; from the calling thread. May be empty.
   std::function<void(std::string_view stage, double done)> progress;
 };
 
-/// What the codec renumbered. Decoding gives the mesh in the new order.
+/// What the codec renumbered. Decoding gives the mesh in the new order. With Order::keep there is
+/// nothing to tell: all are 0, 1, 2 .. and first corners 0.
 struct Permutation {
   std::vector<std::uint32_t> vertices;       ///< vertices[new] = old, one for each vertex
   std::vector<std::uint32_t> faces;          ///< faces[new] = old, one for each face
@@ -41,9 +60,11 @@ struct Encoded {
 
 /// Encodes meshes into one .clers file.
 /// Same input and options give the same bytes, whatever the compiler, build or machine.
-/// Errors: inconsistent_mesh, polygon, repeated_vertex, nonmanifold_edge, nonmanifold_vertex,
-/// nonorientable (each names the first offending element), too_large, out_of_memory.
-/// Cost: linear in the faces; about 60 bytes of memory a triangle besides the input.
+/// Any faces are taken and come back: of any number of corners, on any vertices.
+/// Errors: inconsistent_mesh, too_large, out_of_memory; and where options say so
+/// degenerate_face, duplicate_face, nonmanifold_edge, nonorientable, nonmanifold_vertex, each with
+/// the first offending element.
+/// Cost: linear in the faces.
 /// Thread safe: calls share nothing.
 Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& options = {});
 

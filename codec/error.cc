@@ -5,8 +5,8 @@ namespace clers {
 const char* name(ErrorCode code) {
   switch (code) {
     case ErrorCode::inconsistent_mesh: return "inconsistent_mesh";
-    case ErrorCode::polygon: return "polygon";
-    case ErrorCode::repeated_vertex: return "repeated_vertex";
+    case ErrorCode::duplicate_face: return "duplicate_face";
+    case ErrorCode::degenerate_face: return "degenerate_face";
     case ErrorCode::nonmanifold_edge: return "nonmanifold_edge";
     case ErrorCode::nonmanifold_vertex: return "nonmanifold_vertex";
     case ErrorCode::nonorientable: return "nonorientable";

@@ -13,8 +13,8 @@ namespace clers {
 enum class ErrorCode : std::uint16_t {
   // The input mesh cannot be coded.
   inconsistent_mesh = 1,   ///< sizes of the arrays disagree, or an index is out of range
-  polygon = 2,             ///< a face with more or fewer than three corners
-  repeated_vertex = 3,     ///< a face that uses a vertex twice
+  duplicate_face = 2,      ///< a face on the same vertices as another
+  degenerate_face = 3,     ///< a face that uses a vertex twice, or has fewer than three corners
   nonmanifold_edge = 4,    ///< an edge of more than two faces
   nonmanifold_vertex = 5,  ///< a vertex whose faces form more than one fan
   nonorientable = 6,       ///< a component that has no consistent orientation

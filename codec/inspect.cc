@@ -2,7 +2,7 @@
 
 #include <new>
 
-#include "codec/mesh_reader.h"
+#include "codec/mesh_decoder.h"
 
 namespace clers {
 
@@ -16,20 +16,21 @@ Expected<FileInfo> inspect(std::span<const std::byte> bytes) try {
   info.level = file.level();
   info.total_bytes = info.overhead_bytes = bytes.size();
   for (const MeshSections& s : *sections) {
-    std::vector<std::uint32_t> corners(3 * std::size_t(s.connectivity.faces));
-    auto counts =
-        decode_connectivity(s.connectivity_bytes, s.connectivity_at, s.connectivity, corners);
-    if (!counts) return Failure{counts.error()};
+    auto decoded = decode_faces(s);
+    if (!decoded) return Failure{decoded.error()};
+    turn_back(decoded->mesh, decoded->turned);
+    if (auto ok = restore_order(s, decoded->mesh); !ok) return Failure{ok.error()};
     MeshInfo mesh;
     mesh.name = s.name;
-    mesh.shape.vertices = s.vertices;
-    mesh.shape.faces = mesh.shape.triangles = s.connectivity.faces;
-    mesh.shape.components = counts->components;
-    mesh.shape.boundary_curves = counts->boundary_curves;
-    mesh.shape.genus = counts->handles;
-    mesh.shape.isolated_vertices = s.isolated;
-    mesh.clers = in_word_order(counts->letters);
-    mesh.connectivity_bytes = s.payload_size;
+    auto shape = measure(decoded->mesh);
+    if (!shape) return Failure{shape.error()};
+    mesh.shape = *shape;
+    for (const TurnedRun& run : decoded->turned) mesh.cuts.turned_faces += run.count;
+    mesh.cuts.copied_vertices = s.copies;
+    mesh.cuts.loose_faces = s.loose_faces;
+    mesh.clers = in_word_order(decoded->counts.letters);
+    mesh.order_bytes = s.order.bytes.size();
+    mesh.connectivity_bytes = s.payload_size + mesh.order_bytes;
     bool position_seen = false;
     for (const MeshSections::AttributeSection& a : s.attributes) {
       const Attribute& what = a.header.attribute;

@@ -26,8 +26,10 @@ struct MeshShape {
   std::uint64_t nonmanifold_edges = 0;     ///< edges of more than two faces
   std::uint64_t nonmanifold_vertices = 0;  ///< vertices whose faces form more than one fan
   std::uint64_t misoriented_edges = 0;     ///< edges of two faces that run along them the same way
-  std::uint64_t degenerate_faces = 0;      ///< faces that use a vertex twice
-  std::uint64_t isolated_vertices = 0;     ///< vertices that no face uses
+  std::uint64_t degenerate_faces = 0;      ///< faces that use a vertex twice, or have under three
+  std::uint64_t duplicate_faces = 0;       ///< faces on the same vertices as an earlier one
+  std::uint64_t nonorientable_components = 0;  ///< that have no consistent orientation
+  std::uint64_t isolated_vertices = 0;         ///< vertices that no face uses
 };
 
 /// Cost of one attribute in a file.
@@ -40,11 +42,20 @@ struct AttributeInfo {
   std::uint64_t bytes = 0;  ///< compressed
 };
 
+/// What the codec did to make an oriented manifold surface of a mesh; decoding undoes it.
+struct Cuts {
+  std::uint64_t turned_faces = 0;     ///< ran against their component
+  std::uint64_t copied_vertices = 0;  ///< the surface has more vertices than the mesh by as many
+  std::uint64_t loose_faces = 0;      ///< told apart: degenerate ones
+};
+
 /// One mesh of a file.
 struct MeshInfo {
   MeshShape shape;
+  Cuts cuts;
   std::array<std::uint64_t, 5> clers = {};  ///< how many C, L, E, R, S
-  std::uint64_t connectivity_bytes = 0;
+  std::uint64_t connectivity_bytes = 0;     ///< order_bytes included
+  std::uint64_t order_bytes = 0;            ///< of the order of the file, where it is kept
   std::uint64_t position_bytes = 0;
   std::uint64_t attribute_bytes = 0;  ///< of all attributes but the position
   std::vector<AttributeInfo> attributes;

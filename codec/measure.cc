@@ -3,6 +3,7 @@
 #include <numeric>
 #include <string>
 
+#include "codec/duplicates.h"
 #include "codec/inspect.h"
 
 namespace clers {
@@ -42,7 +43,8 @@ class Measuring {
 
   Expected<MeshShape> run() {
     if (auto ok = lay_out(); !ok) return Failure{ok.error()};
-    Sets fans(corners_), faces(faces_);
+    // Sides 2f and 2f + 1 of face f: a component is one-sided when they meet.
+    Sets fans(corners_), faces(faces_), sides_of_faces(2 * faces_);
     std::uint64_t edges = 0;
     std::vector<std::uint32_t> boundary;
     for_each_edge([&](std::span<const std::uint32_t> sides) {
@@ -52,6 +54,8 @@ class Measuring {
         faces.unite(face_[g], face_[h]);
         const bool opposite = mesh_.corners[g] != mesh_.corners[h];
         shape_.misoriented_edges += !opposite;
+        for (const std::uint32_t side : {0u, 1u})
+          sides_of_faces.unite(2 * face_[g] + side, 2 * face_[h] + (opposite ? side : 1 - side));
         fans.unite(g, opposite ? next_[h] : h);
         fans.unite(next_[g], opposite ? h : next_[h]);
       } else {
@@ -76,6 +80,10 @@ class Measuring {
     shape_.isolated_vertices =
         static_cast<std::uint64_t>(std::count(used.begin(), used.end(), false));
     shape_.components = faces.count([&](std::uint32_t f) { return !degenerate_[f]; });
+
+    shape_.nonorientable_components = faces.count([&](std::uint32_t f) {
+      return sides_of_faces.find(2 * f) == sides_of_faces.find(2 * f + 1);
+    });
 
     // An open fan lies between two boundary edges, so boundary edges linked by fans are the curves.
     Sets curves(corners_);
@@ -105,7 +113,7 @@ class Measuring {
     faces_ = mesh_.face_count();
     shape_.vertices = mesh_.vertex_count;
     shape_.faces = faces_;
-    if (corners_ >= 0xffffffffu || faces_ >= 0xffffffffu)
+    if (corners_ >= 0xffffffffu || faces_ >= 0x7fffffffu)
       return fail(ErrorCode::too_large, std::to_string(corners_) + " corners");
     next_.resize(corners_);
     face_.resize(corners_);
@@ -137,6 +145,7 @@ class Measuring {
     if (first != corners_)
       return fail(ErrorCode::inconsistent_mesh,
                   std::to_string(corners_ - first) + " corners belong to no face");
+    shape_.duplicate_faces = duplicate_faces(mesh_).size();
     return Done{};
   }
 

@@ -11,15 +11,25 @@
 #include "codec/connectivity.h"
 #include "codec/container.h"
 #include "codec/decode.h"
-#include "codec/orientation.h"
+#include "codec/mesh_features.h"
 
 namespace clers {
 
 /// One mesh of a file: its sections, with what they say about sizes.
 struct MeshSections {
-  std::uint64_t vertices = 0;  ///< isolated ones included
-  std::uint64_t isolated = 0;
-  std::vector<TurnedRun> turned;  ///< faces to turn round when all else is done
+  /// A stream of codec/format.md that undoes something.
+  struct Stream {
+    std::span<const std::byte> bytes;
+    std::uint64_t at = 0;
+  };
+  std::uint64_t vertices = 0, faces = 0, corners = 0;  ///< of the mesh
+  std::uint64_t surface_vertices = 0;                  ///< of the mesh, that its surface has
+  std::uint64_t surface_faces = 0;                     ///< that are not loose
+  std::uint32_t features = 0;
+  std::uint64_t turned_runs = 0;
+  std::uint64_t copies = 0;  ///< vertices that the surface has more than the mesh
+  std::uint64_t loose_faces = 0, loose_corners = 0;
+  Stream turned, polygons, stitches, loose, plain, order;
   ConnectivityHeader connectivity;
   std::span<const std::byte> connectivity_bytes;  ///< without what stands before
   std::uint64_t connectivity_at = 0;

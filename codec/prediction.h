@@ -45,8 +45,9 @@ struct Guess {
   std::uint32_t a, b, c;
 };
 
-/// Calls visit(vertex, guess) for every vertex that a face uses, in the order of first use, with a
-/// guess from vertices visited before. The first has none and gets itself.
+/// Calls visit(vertex, guess) for every vertex that a triangle uses, in the order of first use,
+/// with a guess from vertices visited before; then for all others in their order, guessed from the
+/// one before. The first has no guess and gets itself.
 ///
 ///        v          c is the vertex of the face before that lies across the gate a-b
 ///       / \         .
@@ -82,6 +83,10 @@ void for_each_vertex(std::span<const std::uint32_t> corners, std::uint32_t verte
       visit(v, guess);
       last = v;
     }
+  }
+  for (std::uint32_t v = 0; v < vertex_count; ++v) {
+    const std::uint32_t g = v == 0 ? v : v - 1;
+    if (!seen[v]) visit(v, Guess{g, g, g});
   }
 }
 

@@ -50,7 +50,7 @@ bool write_all(const std::filesystem::path& root) {
       const auto encoded = encode({&mesh, 1}, {level, {}});
       ok = ok && encoded &&
            write(root / "decode_any" / (name + "-" + std::to_string(level)), encoded->bytes);
-      auto twins = find_twins(mesh.corners, mesh.vertex_count);
+      auto twins = find_twins({mesh.corners, mesh.face_sizes}, mesh.vertex_count);
       const auto connectivity =
           encode_connectivity({mesh.corners, *twins, mesh.vertex_count}, level);
       ok = ok && connectivity &&

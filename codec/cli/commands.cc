@@ -148,16 +148,17 @@ void complain(const std::string& line) {
 }
 
 Exit encode(const Options& options) {
-  return for_each_input(
-      options, ".clers",
-      [&](const std::string& input, const std::string& output,
-          Progress& progress) -> Outcome<Exit> {
-        const auto meshes = read_meshes(options, input, progress);
-        if (!meshes) return Failure{meshes.error()};
-        const auto encoded = clers::encode(*meshes, {options.level, progress.callback()});
-        if (!encoded) return stop(input_name(input), encoded.error());
-        return exit_after(write_file(output, encoded->bytes, options.force));
-      });
+  return for_each_input(options, ".clers",
+                        [&](const std::string& input, const std::string& output,
+                            Progress& progress) -> Outcome<Exit> {
+                          const auto meshes = read_meshes(options, input, progress);
+                          if (!meshes) return Failure{meshes.error()};
+                          EncodeOptions how = options.encode;
+                          how.progress = progress.callback();
+                          const auto encoded = clers::encode(*meshes, how);
+                          if (!encoded) return stop(input_name(input), encoded.error());
+                          return exit_after(write_file(output, encoded->bytes, options.force));
+                        });
 }
 
 Exit decode(const Options& options) {

@@ -22,7 +22,7 @@ struct Options {
   bool force = false;
   bool quiet = false;
   bool json = false;
-  int level = default_level;
+  EncodeOptions encode;
   Limits limits;
 };
 

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <map>
 
 #include "codec/cli/commands.h"
 #include "codec/cli/files.h"
@@ -49,9 +50,21 @@ class CommandLine {
     inputs(encode, "IN", "mesh files: ply, obj, off, stl");
     output(encode, "the .clers file, or a directory for several");
     from(encode);
-    encode.add_option("--level", options_.level, "1 is fastest, 9 is smallest")
+    encode.add_option("--level", options_.encode.level, "1 is fastest, 9 is smallest")
         ->check(CLI::Range(min_level, max_level))
         ->option_text("1..9 (default 5)");
+    encode
+        .add_option("--order", options_.encode.order,
+                    "whether the order of vertices and faces comes back too")
+        ->transform(CLI::Transformer(
+            std::map<std::string, Order>{{"free", Order::free}, {"keep", Order::keep}}))
+        ->option_text("free|keep (default free)");
+    oddity(encode, "--on-nonmanifold", options_.encode.on_nonmanifold,
+           "edges of more than two faces, vertices of several fans, one-sided surfaces");
+    oddity(encode, "--on-degenerate", options_.encode.on_degenerate,
+           "faces that use a vertex twice, or have fewer than three corners");
+    oddity(encode, "--on-duplicate", options_.encode.on_duplicate,
+           "faces on the same vertices as another");
     force(encode);
     quiet(encode);
 
@@ -153,6 +166,12 @@ class CommandLine {
            },
            what)
         ->type_name("ply|obj|off|stl");
+  }
+  void oddity(CLI::App& sub, const char* name, OnOddity& target, const char* what) {
+    sub.add_option(name, target, what)
+        ->transform(CLI::Transformer(
+            std::map<std::string, OnOddity>{{"keep", OnOddity::keep}, {"error", OnOddity::error}}))
+        ->option_text("keep|error (default keep)");
   }
   void force(CLI::App& sub) { sub.add_flag("-f,--force", options_.force, "overwrite the output"); }
   void quiet(CLI::App& sub) {

@@ -22,6 +22,8 @@ void add(MeshShape& sum, const MeshShape& s) {
   sum.nonmanifold_vertices += s.nonmanifold_vertices;
   sum.misoriented_edges += s.misoriented_edges;
   sum.degenerate_faces += s.degenerate_faces;
+  sum.duplicate_faces += s.duplicate_faces;
+  sum.nonorientable_components += s.nonorientable_components;
   sum.isolated_vertices += s.isolated_vertices;
 }
 
@@ -29,7 +31,11 @@ MeshInfo total(const FileInfo& info) {
   MeshInfo sum;
   for (const MeshInfo& mesh : info.meshes) {
     add(sum.shape, mesh.shape);
+    sum.cuts.turned_faces += mesh.cuts.turned_faces;
+    sum.cuts.copied_vertices += mesh.cuts.copied_vertices;
+    sum.cuts.loose_faces += mesh.cuts.loose_faces;
     sum.connectivity_bytes += mesh.connectivity_bytes;
+    sum.order_bytes += mesh.order_bytes;
     sum.position_bytes += mesh.position_bytes;
     sum.attribute_bytes += mesh.attribute_bytes;
     for (std::size_t i = 0; i < sum.clers.size(); ++i) sum.clers[i] += mesh.clers[i];
@@ -54,6 +60,8 @@ void put(Json& json, const MeshShape& s) {
   json["nonmanifold_vertices"] = s.nonmanifold_vertices;
   json["misoriented_edges"] = s.misoriented_edges;
   json["degenerate_faces"] = s.degenerate_faces;
+  json["duplicate_faces"] = s.duplicate_faces;
+  json["nonorientable_components"] = s.nonorientable_components;
   json["isolated_vertices"] = s.isolated_vertices;
 }
 
@@ -63,7 +71,11 @@ double bits_per_triangle(const MeshInfo& m) {
 
 void put(Json& json, const MeshInfo& m) {
   put(json, m.shape);
+  json["turned_faces"] = m.cuts.turned_faces;
+  json["copied_vertices"] = m.cuts.copied_vertices;
+  json["loose_faces"] = m.cuts.loose_faces;
   json["connectivity_bytes"] = m.connectivity_bytes;
+  json["order_bytes"] = m.order_bytes;
   json["position_bytes"] = m.position_bytes;
   json["attribute_bytes"] = m.attribute_bytes;
   json["connectivity_bits_per_triangle"] =
@@ -112,6 +124,9 @@ void put(std::string& out, const MeshShape& s) {
   line(out, "non-manifold vertices", s.nonmanifold_vertices);
   if (s.misoriented_edges != 0) line(out, "misoriented edges", s.misoriented_edges);
   if (s.degenerate_faces != 0) line(out, "degenerate faces", s.degenerate_faces);
+  if (s.duplicate_faces != 0) line(out, "duplicate faces", s.duplicate_faces);
+  if (s.nonorientable_components != 0)
+    line(out, "one-sided components", s.nonorientable_components);
   if (s.isolated_vertices != 0) line(out, "isolated vertices", s.isolated_vertices);
 }
 
@@ -175,6 +190,9 @@ std::string info_text(const std::string& file, const FileInfo& info) {
     out += "all meshes\n";
   }
   put(out, sum.shape);
+  if (sum.cuts.turned_faces != 0) line(out, "turned faces", sum.cuts.turned_faces);
+  if (sum.cuts.copied_vertices != 0) line(out, "copied vertices", sum.cuts.copied_vertices);
+  if (sum.cuts.loose_faces != 0) line(out, "loose faces", sum.cuts.loose_faces);
   std::string counts;
   for (std::size_t i = 0; i < sum.clers.size(); ++i)
     counts += fmt::format(" {} {}", letters[i], grouped(sum.clers[i]));
@@ -182,6 +200,7 @@ std::string info_text(const std::string& file, const FileInfo& info) {
   line(out, "connectivity bytes", sum.connectivity_bytes);
   if (sum.shape.triangles != 0)
     out += fmt::format("  {:<22}{:>15.3f}\n", "  bits per triangle", bits_per_triangle(sum));
+  if (sum.order_bytes != 0) line(out, "  of them for the order", sum.order_bytes);
   line(out, "position bytes", sum.position_bytes);
   line(out, "attribute bytes", sum.attribute_bytes);
   line(out, "overhead bytes", info.overhead_bytes);

@@ -26,7 +26,7 @@ struct Arrays {
 };
 
 Arrays arrays_of(const Mesh& mesh) {
-  auto twins = find_twins(mesh.corners, mesh.vertex_count);
+  auto twins = find_twins({mesh.corners, mesh.face_sizes}, mesh.vertex_count);
   EXPECT_TRUE(twins.ok()) << (twins.ok() ? "" : describe(twins.error()));
   return {mesh.corners, twins.ok() ? *twins : std::vector<HalfEdge>(), mesh.vertex_count};
 }

@@ -1,0 +1,40 @@
+// Faces that are not degenerate -> the bytes of the surface that they make.
+#ifndef CLERS_CODEC_SURFACE_ENCODER_H
+#define CLERS_CODEC_SURFACE_ENCODER_H
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "codec/bytes.h"
+#include "codec/connectivity.h"
+#include "codec/encode.h"
+#include "codec/error.h"
+#include "codec/faces.h"
+
+namespace clers {
+
+/// A coded surface, and how it numbers what it is made of.
+struct EncodedSurface {
+  std::uint32_t features = 0;
+  std::uint64_t copies = 0, turned_runs = 0, turned_faces = 0;
+  Bytes turned, polygons, stitches;  ///< streams, where there are any
+  Bytes connectivity;
+  ConnectivityCounts counts;
+  Permutation order;                     ///< vertices: only those that the surface has
+  std::vector<std::uint32_t> triangles;  ///< of the surface, by new vertices of the mesh, all
+                                         ///< running one way
+};
+
+/// Encodes faces, cutting them where they are no oriented manifold. What is coded, once decoded, is
+/// coded to the same bytes again: where cuts depend on the order of the faces, the faces are coded
+/// in the order that comes of it, until nothing changes.
+/// Precondition: every face has three corners or more, repeats no vertex, and vertices are below
+/// vertex_count. Errors: out_of_memory. Throws std::bad_alloc.
+Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
+                                        std::span<const std::uint32_t> sizes,
+                                        std::uint32_t vertex_count, int level);
+
+}  // namespace clers
+
+#endif
