@@ -4,6 +4,7 @@
 #include <bit>
 #include <deque>
 #include <numeric>
+#include <optional>
 #include <span>
 
 #include "codec/edges.h"
@@ -46,6 +47,18 @@ class Orientation {
     turned_[b.set] = relative;
     size_[a.set] += size_[b.set];
     return true;
+  }
+
+  /// Whether some set has as many turned faces as others.
+  bool tied() {
+    std::vector<std::int64_t> surplus(parent_.size());
+    for (std::uint32_t f = 0; f < parent_.size(); ++f) {
+      const Place p = find(f);
+      surplus[p.set] += p.turned ? 1 : -1;
+    }
+    for (std::uint32_t f = 0; f < parent_.size(); ++f)
+      if (parent_[f] == f && surplus[f] == 0) return true;
+    return false;
   }
 
   /// Which faces to turn: the fewer of each set; if it is a tie, not the first in `order`.
@@ -181,7 +194,36 @@ class Cutter {
         edge_(faces.org.size()),
         next_(faces.org.size(), none) {}
 
-  CutSurface run() {
+  /// The only cut there is: no edge has more than two faces, every component has an orientation,
+  /// and it is clear which faces are the fewer to turn. Nothing if there are several.
+  std::optional<CutSurface> forced() {
+    if (handles_ == Handles::cut) return std::nullopt;
+    list_sides();
+    for (const Edge& e : edges_)
+      if (e.crowded) return std::nullopt;
+    std::vector<std::uint32_t> seeds(faces_.count());
+    std::iota(seeds.begin(), seeds.end(), 0u);
+    std::vector<bool> reached(faces_.count());
+    for (const std::uint32_t seed : seeds)
+      if (!reached[seed]) grow(seed, reached);
+    for (const Edge& e : edges_)
+      if (next_[e.first] != none && across_[e.first] == none) return std::nullopt;
+    if (orientation_.tied()) return std::nullopt;
+
+    CutSurface result;
+    result.forced = true;
+    result.turned = orientation_.turned(seeds);
+    turn(result);
+    split_vertices(result);
+    result.faces = std::move(seeds);
+    result.first_corners.resize(faces_.count());
+    if (!faces_.triangles())
+      for (std::uint32_t f = 0; f < faces_.count(); ++f) result.sizes.push_back(faces_.size(f));
+    return result;
+  }
+
+  /// One of several cuts, chosen by colours.
+  CutSurface chosen() {
     colours_.refine();
     list_sides();
     corners_.fill(faces_);
@@ -464,7 +506,8 @@ class Cutter {
 }  // namespace
 
 CutSurface cut(const Faces& faces, std::uint32_t vertex_count, Handles handles) {
-  return Cutter(faces, vertex_count, handles).run();
+  if (auto only = Cutter(faces, vertex_count, handles).forced()) return std::move(*only);
+  return Cutter(faces, vertex_count, handles).chosen();
 }
 
 }  // namespace clers

@@ -91,8 +91,11 @@ class MeshEncoder {
       if (keep) kept_order = code_order(coded_faces);
       const auto take_if_smaller = [&](std::span<const std::uint32_t> corners,
                                        std::span<const std::uint32_t> sizes) {
+        // Never seen to take less than a bit a corner but for a few.
+        const std::size_t so_far = payload.size() + kept_order.size();
+        if (8 * so_far < corners.size() / 2) return false;
         Bytes faces = plain_payload(corners, sizes);
-        if (faces.size() >= payload.size() + kept_order.size()) return false;
+        if (faces.size() >= so_far) return false;
         payload = std::move(faces);
         kept_order.clear();
         triangles = fan_triangles(corners, sizes);

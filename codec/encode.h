@@ -35,8 +35,8 @@ struct EncodeOptions {
   Order order = Order::free;
   OnOddity on_nonmanifold = OnOddity::keep;  ///< edges of more than two faces or of two that run
                                              ///< the same way, vertices of several fans
-  OnOddity on_degenerate = OnOddity::keep;  ///< faces that repeat a vertex, or have under three
-  OnOddity on_duplicate = OnOddity::keep;   ///< faces on the same vertices as an earlier one
+  OnOddity on_degenerate = OnOddity::keep;   ///< faces that repeat a vertex, or have under three
+  OnOddity on_duplicate = OnOddity::keep;    ///< faces on the same vertices as an earlier one
 
   /// Called now and then with the name of the stage and the share of the whole work that is done,
   /// 0..1, never decreasing; from the calling thread. May be empty.

@@ -143,6 +143,7 @@ Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level) {
     out.order.vertices = std::move(coded->vertices);
   out.connectivity = std::move(coded->bytes);
   out.counts = coded->counts;
+  out.settled = !surface.cut || surface.cut->forced;
   return out;
 }
 
@@ -215,7 +216,7 @@ Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
   // Coding what was coded leads into a circle, nearly always of one. From wherever one comes, the
   // one with the least bytes on the circle is taken.
   auto coded = encode_cut(faces, vertex_count, level);
-  if (!coded) return coded;
+  if (!coded || coded->settled) return coded;
   std::vector<Bytes> history = {bytes_of(*coded)};
   constexpr std::size_t most_rounds = 16;
   const Bytes* goal = nullptr;

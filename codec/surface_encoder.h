@@ -21,6 +21,7 @@ struct EncodedSurface {
   Bytes turned, polygons, stitches;  ///< streams, where there are any
   Bytes connectivity;
   ConnectivityCounts counts;
+  bool settled = false;                  ///< what is decoded will be coded to the same bytes
   Permutation order;                     ///< vertices: only those that the surface has
   std::vector<std::uint32_t> triangles;  ///< of the surface, by new vertices of the mesh, all
                                          ///< running one way

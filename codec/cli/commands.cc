@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -141,6 +142,15 @@ Outcome<Exit> exit_after(const Outcome<Done>& written) {
   return Exit::done;
 }
 
+/// Equal as arrays: no vertex, face or first corner is another.
+bool in_one_order(const Mesh& a, const Mesh& b) {
+  return a.corners == b.corners && a.face_sizes == b.face_sizes &&
+         std::equal(a.attributes.begin(), a.attributes.end(), b.attributes.begin(),
+                    b.attributes.end(), [](const Attribute& x, const Attribute& y) {
+                      return x.name == y.name && x.data == y.data;
+                    });
+}
+
 }  // namespace
 
 void complain(const std::string& line) {
@@ -230,8 +240,11 @@ Exit verify(const Options& options) {
     std::size_t faces = 0;
     for (const Mesh& mesh : *found) faces += mesh.face_count();
     return exit_after(print(
-        fmt::format("{}: same as {}: {} mesh{}, {} faces, every value bit for bit\n", name,
-                    input_name(original), found->size(), found->size() == 1 ? "" : "es", faces)));
+        fmt::format("{}: same as {}: {} mesh{}, {} faces, every value bit for bit{}\n", name,
+                    input_name(original), found->size(), found->size() == 1 ? "" : "es", faces,
+                    std::equal(found->begin(), found->end(), expected->begin(), in_one_order)
+                        ? ", in the same order"
+                        : "")));
   });
 }
 

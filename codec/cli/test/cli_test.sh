@@ -71,6 +71,19 @@ for level in 1 9; do
   run verify grid.obj level.clers; ends "verify level $level" 0
 done
 
+
+# ---- What most codecs drop: non-manifold edges, duplicate and degenerate faces, polygons, the order
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n' >fan.obj
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\nf 1 2 2\n' >odd.obj
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nv 7 7 7\nf 3 4 1 2\nf 3 2 5\n' >quad.obj
+for mesh in fan odd quad grid; do
+  run encode -f $mesh.obj -o any.clers; ends "encode $mesh" 0
+  run verify $mesh.obj any.clers; ends "verify $mesh" 0
+  run encode -f --order keep $mesh.obj -o any.clers; ends "encode $mesh in order" 0
+  run verify $mesh.obj any.clers; ends "verify $mesh in order" 0
+  check "$mesh comes back in order" grep -q "in the same order" out
+done
+
 # ---- Standard input and output
 "$clers" encode --from obj - -o - <grid.obj >piped.clers 2>err; status=$?; ends "encode - -o -" 0
 check "encode - gives the same bytes" cmp -s piped.clers grid.clers
@@ -148,8 +161,10 @@ run decode missing.clers -o x.obj; ends "a missing .clers file" 3 "missing.clers
 run encode in -o x.clers --from obj; ends "a directory as input" 3 "in: Is a directory"
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\n\nf 1 2 9\n' >range.obj
 run encode range.obj -o x2.clers; ends "an index out of range" 3 "range.obj: line 5: "
-printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n' >fan.obj
-run encode fan.obj -o x2.clers; ends "a non-manifold edge" 3 "fan.obj: .*edge of vertices 0 and 1 "
+run encode --on-nonmanifold error fan.obj -o x2.clers
+ends "a non-manifold edge" 3 "fan.obj: face 0: .*edge of vertices 0 and 1 "
+run encode --on-degenerate error odd.obj -o x2.clers; ends "a degenerate face" 3 "odd.obj: face 2: "
+run encode --on-duplicate error odd.obj -o x2.clers; ends "a duplicate face" 3 "odd.obj: face 1: "
 run check --json fan.obj
 check "check counts it" grep -q '"nonmanifold_edges": 1,' out
 run decode grid.obj -o x.obj; ends "decode of a mesh file" 3 "grid.obj: byte 0"
