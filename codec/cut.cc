@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "codec/edges.h"
 
@@ -116,16 +117,16 @@ class Refinement {
     }
   }
 
-  /// Refines until most faces look different, or no more do, or patience ends.
+  /// Refines until all faces look different, or no more do, or patience ends.
   void refine() {
     std::size_t different = 0;
-    for (int rounds = 4; rounds <= 64; rounds *= 2) {
+    for (int rounds = 4; rounds <= 16; rounds *= 2) {
       refine(rounds);
       std::vector<std::uint64_t> sorted = face;
       std::sort(sorted.begin(), sorted.end());
       const auto end = std::unique(sorted.begin(), sorted.end());
       const std::size_t now = static_cast<std::size_t>(end - sorted.begin());
-      if (now > face.size() / 16 * 15 || now == different) return;
+      if (now == face.size() || now == different) return;
       different = now;
     }
   }
@@ -153,6 +154,20 @@ class Refinement {
  public:
   std::vector<std::uint64_t> vertex, face;
 };
+
+/// Faces by their colours, those of one colour in their order; all_different becomes false if there
+/// are such.
+std::vector<std::uint32_t> by_colour(std::span<const std::uint64_t> colours, bool& all_different) {
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> keyed(colours.size());
+  for (std::uint32_t f = 0; f < keyed.size(); ++f) keyed[f] = {colours[f], f};
+  std::sort(keyed.begin(), keyed.end());
+  std::vector<std::uint32_t> faces(keyed.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    faces[i] = keyed[i].second;
+    if (i > 0 && keyed[i].first == keyed[i - 1].first) all_different = false;
+  }
+  return faces;
+}
 
 /// Which three vertices follow each other in some face: a hash table with open addressing.
 class CornerSet {
@@ -211,7 +226,7 @@ class Cutter {
     if (orientation_.tied()) return std::nullopt;
 
     CutSurface result;
-    result.forced = true;
+    result.order_free = true;
     result.turned = orientation_.turned(seeds);
     turn(result);
     split_vertices(result);
@@ -227,12 +242,7 @@ class Cutter {
     colours_.refine();
     list_sides();
     corners_.fill(faces_);
-    std::vector<std::uint32_t> seeds(faces_.count());
-    std::iota(seeds.begin(), seeds.end(), 0u);
-    const auto before = [&](std::uint32_t f, std::uint32_t g) {
-      return colours_.face[f] != colours_.face[g] ? colours_.face[f] < colours_.face[g] : f < g;
-    };
-    std::sort(seeds.begin(), seeds.end(), before);
+    const std::vector<std::uint32_t> seeds = by_colour(colours_.face, all_different_);
     std::vector<bool> reached(faces_.count());
     for (const std::uint32_t seed : seeds)
       if (!reached[seed]) grow(seed, reached);
@@ -267,10 +277,14 @@ class Cutter {
     });
   }
 
-  std::uint32_t first_side(std::uint32_t f) const {
+  std::uint32_t first_side(std::uint32_t f) {
     std::uint32_t best = faces_.begin(f);
-    for (std::uint32_t h = best; h < faces_.end(f); ++h)
-      if (colours_.vertex[faces_.org[h]] < colours_.vertex[faces_.org[best]]) best = h;
+    for (std::uint32_t h = best + 1; h < faces_.end(f); ++h) {
+      const std::uint64_t c = colours_.vertex[faces_.org[h]],
+                          least = colours_.vertex[faces_.org[best]];
+      if (c == least) all_different_ = false;
+      if (c < least) best = h;
+    }
     return best;
   }
 
@@ -444,7 +458,7 @@ class Cutter {
   }
 
   /// Puts faces in the order of the colours that they have once cut, each from its least corner on.
-  CutSurface arranged(CutSurface from) const {
+  CutSurface arranged(CutSurface from) {
     Faces cut_faces = faces_;
     cut_faces.org = from.corners;
     std::vector<std::uint64_t> start(from.point.size());
@@ -461,19 +475,19 @@ class Cutter {
     CutSurface to;
     to.point = std::move(from.point);
     to.turned = std::move(from.turned);
-    to.faces.resize(faces_.count());
-    std::iota(to.faces.begin(), to.faces.end(), 0u);
-    std::sort(to.faces.begin(), to.faces.end(), [&](std::uint32_t f, std::uint32_t g) {
-      return colours.face[f] != colours.face[g] ? colours.face[f] < colours.face[g] : f < g;
-    });
+    to.faces = by_colour(colours.face, all_different_);
     std::vector<std::uint32_t> side(from.corners.size());
     to.corners.reserve(side.size());
     for (const std::uint32_t f : to.faces) {
       const std::uint32_t begin = faces_.begin(f), size = faces_.size(f);
       if (!faces_.triangles()) to.sizes.push_back(size);
       std::uint32_t first = begin;
-      for (std::uint32_t h = begin; h < begin + size; ++h)
-        if (colours.vertex[from.corners[h]] < colours.vertex[from.corners[first]]) first = h;
+      for (std::uint32_t h = begin + 1; h < begin + size; ++h) {
+        const std::uint64_t c = colours.vertex[from.corners[h]],
+                            least = colours.vertex[from.corners[first]];
+        if (c == least) all_different_ = false;
+        if (c < least) first = h;
+      }
       to.first_corners.push_back(first - begin);
       for (std::uint32_t j = 0, h = first; j < size; ++j, h = faces_.next(h)) {
         side[h] = static_cast<std::uint32_t>(to.corners.size());
@@ -483,6 +497,7 @@ class Cutter {
     to.twins.resize(side.size());
     for (std::uint32_t h = 0; h < side.size(); ++h)
       if (from.twins[h]) to.twins[side[h]] = HalfEdge(side[from.twins[h].index()]);
+    to.order_free = all_different_;
     return to;
   }
 
@@ -501,6 +516,7 @@ class Cutter {
   std::vector<std::uint32_t> next_;    ///< side of the same edge
   std::vector<Edge> edges_;
   CornerSet corners_;
+  bool all_different_ = true;  ///< no choice fell to the order of the faces so far
 };
 
 }  // namespace

@@ -19,7 +19,7 @@ struct CutSurface {
   std::vector<HalfEdge> twins;               ///< null on the boundary
   std::vector<std::uint32_t> point;  ///< of each vertex: the vertex of the input it is a copy of
   std::vector<bool> turned;  ///< faces of the input that run backwards here, from their corner 0 on
-  bool forced = false;       ///< there is no other cut, in whatever order the faces come
+  bool order_free = false;   ///< the same surface comes of the faces in whatever order
 };
 
 /// What to do with handles that edges of two faces make.

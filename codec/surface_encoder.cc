@@ -143,7 +143,7 @@ Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level) {
     out.order.vertices = std::move(coded->vertices);
   out.connectivity = std::move(coded->bytes);
   out.counts = coded->counts;
-  out.settled = !surface.cut || surface.cut->forced;
+  out.settled = !surface.cut || surface.cut->order_free;
   return out;
 }
 
@@ -218,7 +218,8 @@ Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
   auto coded = encode_cut(faces, vertex_count, level);
   if (!coded || coded->settled) return coded;
   std::vector<Bytes> history = {bytes_of(*coded)};
-  constexpr std::size_t most_rounds = 16;
+  // Circles can be long where all faces look alike, as in ten triangles on the same three vertices.
+  const std::size_t most_rounds = std::max<std::size_t>(16, (1u << 18) / corners.size());
   const Bytes* goal = nullptr;
   for (std::size_t round = 1; round < 2 * most_rounds; ++round) {
     if (goal && bytes_of(*coded) == *goal) break;
@@ -233,7 +234,9 @@ Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
     Bytes bytes = bytes_of(*coded);
     const auto seen = std::find(history.begin(), history.end(), bytes);
     if (seen != history.end())
-      goal = &*std::min_element(seen, history.end());
+      goal = &*std::min_element(seen, history.end(), [](const Bytes& a, const Bytes& b) {
+        return a.size() != b.size() ? a.size() < b.size() : a < b;
+      });
     else if (history.size() == most_rounds)
       break;
     else
