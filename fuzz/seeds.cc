@@ -30,7 +30,18 @@ std::vector<Named> meshes() {
           {"cylinder", corpus::cylinder(5, 2)},
           {"torus", corpus::flip_edges(corpus::torus(4, 5), 30, 2)},
           {"holes", corpus::punch_holes(corpus::icosphere(2), 4, 3)},
-          {"pieces", corpus::disjoint_union(pieces)}};
+          {"pieces", corpus::disjoint_union(pieces)},
+          {"moebius", corpus::moebius_strip(7, 2)},
+          {"book", corpus::book(5)},
+          {"chessboard", corpus::chessboard(4)},
+          {"soup", corpus::random_soup(9, 12, 3, 1)},
+          {"polygons", corpus::random_soup(40, 30, 7, 2)}};
+}
+
+bool is_surface(const Mesh& mesh) {
+  EncodeOptions options;
+  options.on_nonmanifold = options.on_degenerate = OnOddity::error;
+  return encode({&mesh, 1}, options).ok();
 }
 
 bool write(const std::filesystem::path& file, std::span<const std::byte> bytes) {
@@ -47,9 +58,17 @@ bool write_all(const std::filesystem::path& root) {
   std::vector<Mesh> all;
   for (const auto& [name, mesh] : meshes()) {
     for (const int level : {1, 5, 9}) {
-      const auto encoded = encode({&mesh, 1}, {level, {}});
-      ok = ok && encoded &&
-           write(root / "decode_any" / (name + "-" + std::to_string(level)), encoded->bytes);
+      for (const Order order : {Order::free, Order::keep}) {
+        EncodeOptions options;
+        options.level = level;
+        options.order = order;
+        const auto encoded = encode({&mesh, 1}, options);
+        ok = ok && encoded &&
+             write(root / "decode_any" /
+                       (name + (order == Order::keep ? "-kept-" : "-") + std::to_string(level)),
+                   encoded->bytes);
+      }
+      if (!mesh.triangles_only() || !is_surface(mesh)) continue;
       auto twins = find_twins({mesh.corners, mesh.face_sizes}, mesh.vertex_count);
       const auto connectivity =
           encode_connectivity({mesh.corners, *twins, mesh.vertex_count}, level);
@@ -73,9 +92,9 @@ bool write_all(const std::filesystem::path& root) {
   const auto together = encode(all);
   ok = ok && together && write(root / "decode_any" / "all", together->bytes);
 
-  // round_trip makes its meshes from any bytes: vertices, level, grown or soup, then what to join.
+  // round_trip makes its meshes from any bytes: vertices, level, kind, then what to join.
   for (unsigned kind = 0; kind < 8; ++kind) {
-    std::vector<std::byte> bytes = {std::byte(4 * kind), std::byte(kind), std::byte(kind % 2)};
+    std::vector<std::byte> bytes = {std::byte(4 * kind), std::byte(kind), std::byte(kind)};
     for (unsigned i = 0; i < 40 + 10 * kind; ++i) bytes.push_back(std::byte(i * (37 + 2 * kind)));
     ok = ok && write(root / "round_trip" / std::to_string(kind), bytes);
   }
