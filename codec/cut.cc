@@ -290,9 +290,10 @@ class Cutter {
 
   /// Glues what can be reached from a face by breadth, across edges of two faces first.
   void grow(std::uint32_t seed, std::vector<bool>& reached) {
-    std::deque<std::uint32_t> entries = {first_side(seed)};  // by which to enter faces
+    std::deque<std::uint32_t> near = {first_side(seed)}, far;  // by which to enter faces
     reached[seed] = true;
-    while (!entries.empty()) {
+    while (!near.empty() || !far.empty()) {
+      std::deque<std::uint32_t>& entries = near.empty() ? far : near;
       const std::uint32_t entry = entries.front();
       entries.pop_front();
       std::uint32_t h = entry;
@@ -302,10 +303,7 @@ class Cutter {
           glue(g, h);
           if (!reached[faces_.face(g)]) {
             reached[faces_.face(g)] = true;
-            if (edges_[edge_[h]].crowded)
-              entries.push_back(g);
-            else
-              entries.push_front(g);
+            (edges_[edge_[h]].crowded ? far : near).push_back(g);
           }
         }
         h = faces_.next(h);
