@@ -35,7 +35,7 @@ void restore(std::span<const std::byte> planes, const AttributeHeader& header, s
   });
   if (is_float(header.attribute.scalar))
     for (U& k : keys) k = from_ordered(k);
-  std::memcpy(out.data(), keys.data(), out.size());
+  if (!keys.empty()) std::memcpy(out.data(), keys.data(), out.size());
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ Bytes differences(const Attribute& attribute, Predictor predictor, std::size_t c
   const bool ordered = is_float(attribute.scalar);
   Bytes planes(count * components * sizeof(U));
   std::vector<U> keys(count * components);
-  std::memcpy(keys.data(), attribute.data.data(), keys.size() * sizeof(U));
+  if (!keys.empty()) std::memcpy(keys.data(), attribute.data.data(), keys.size() * sizeof(U));
   if (ordered)
     for (U& k : keys) k = to_ordered(k);
   std::size_t row = 0;

@@ -50,6 +50,8 @@ TEST(Encode, NothingAndEmptyMeshes) {
   points.name = "points";
   points.attributes.push_back(
       make<float>("position", Domain::vertex, Scalar::float32, 3, std::vector<float>(15, 1.5f)));
+  points.attributes.push_back(
+      make<float>("of corners", Domain::corner, Scalar::float32, 2, std::vector<float>()));
   round_trip(std::span(&points, 1));
 }
 
