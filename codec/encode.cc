@@ -101,6 +101,7 @@ class MeshEncoder {
         triangles = fan_triangles(corners, sizes);
         info.cuts = {};
         info.clers = {};
+        info.polygon_bytes = info.stitching_bytes = 0;
         return true;
       };
       if (!keep) take_if_smaller(coded_faces.corners, coded_faces.sizes);
@@ -352,6 +353,7 @@ class MeshEncoder {
     put_varint(out, faces.size());
     put_varint(out, corners.size());
     put_stream(out, bytes);
+    loose_bytes_ = bytes.size();
     return out;
   }
 
@@ -359,6 +361,8 @@ class MeshEncoder {
     info.name = mesh_.name;
     info.cuts = {coded.turned_faces, coded.copies, loose_.size()};
     info.clers = in_word_order(coded.counts.letters);
+    info.polygon_bytes = coded.polygons.size();
+    info.stitching_bytes = coded.turned.size() + coded.stitches.size() + loose_bytes_;
     if (coded.copies > 0 || coded.turned_faces > 0 || !loose_.empty()) {
       auto shape = measure(mesh_);
       if (!shape) return Failure{shape.error()};
@@ -429,6 +433,7 @@ class MeshEncoder {
   std::vector<std::uint32_t> loose_, kept_;         ///< faces; nothing kept: all are
   std::vector<std::uint32_t> kept_corners_, kept_sizes_;
   std::uint32_t surface_vertices_ = 0;
+  std::size_t loose_bytes_ = 0;
 };
 
 }  // namespace

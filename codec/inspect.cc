@@ -29,6 +29,8 @@ Expected<FileInfo> inspect(std::span<const std::byte> bytes) try {
     mesh.cuts.copied_vertices = s.copies;
     mesh.cuts.loose_faces = s.loose_faces;
     mesh.clers = in_word_order(decoded->counts.letters);
+    mesh.polygon_bytes = s.polygons.bytes.size();
+    mesh.stitching_bytes = s.turned.bytes.size() + s.stitches.bytes.size() + s.loose.bytes.size();
     mesh.order_bytes = s.order.bytes.size();
     mesh.connectivity_bytes = s.payload_size + mesh.order_bytes;
     bool position_seen = false;

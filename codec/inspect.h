@@ -54,8 +54,10 @@ struct MeshInfo {
   MeshShape shape;
   Cuts cuts;
   std::array<std::uint64_t, 5> clers = {};  ///< how many C, L, E, R, S
-  std::uint64_t connectivity_bytes = 0;     ///< order_bytes included
-  std::uint64_t order_bytes = 0;            ///< of the order of the file, where it is kept
+  std::uint64_t connectivity_bytes = 0;     ///< of the faces, all told
+  std::uint64_t polygon_bytes = 0;          ///< of them: which triangles make a polygon
+  std::uint64_t stitching_bytes = 0;        ///< of them: what undoes the cuts
+  std::uint64_t order_bytes = 0;            ///< of them: the order of the file, where it is kept
   std::uint64_t position_bytes = 0;
   std::uint64_t attribute_bytes = 0;  ///< of all attributes but the position
   std::vector<AttributeInfo> attributes;

@@ -35,6 +35,8 @@ MeshInfo total(const FileInfo& info) {
     sum.cuts.copied_vertices += mesh.cuts.copied_vertices;
     sum.cuts.loose_faces += mesh.cuts.loose_faces;
     sum.connectivity_bytes += mesh.connectivity_bytes;
+    sum.polygon_bytes += mesh.polygon_bytes;
+    sum.stitching_bytes += mesh.stitching_bytes;
     sum.order_bytes += mesh.order_bytes;
     sum.position_bytes += mesh.position_bytes;
     sum.attribute_bytes += mesh.attribute_bytes;
@@ -75,6 +77,8 @@ void put(Json& json, const MeshInfo& m) {
   json["copied_vertices"] = m.cuts.copied_vertices;
   json["loose_faces"] = m.cuts.loose_faces;
   json["connectivity_bytes"] = m.connectivity_bytes;
+  json["polygon_bytes"] = m.polygon_bytes;
+  json["stitching_bytes"] = m.stitching_bytes;
   json["order_bytes"] = m.order_bytes;
   json["position_bytes"] = m.position_bytes;
   json["attribute_bytes"] = m.attribute_bytes;
@@ -200,6 +204,8 @@ std::string info_text(const std::string& file, const FileInfo& info) {
   line(out, "connectivity bytes", sum.connectivity_bytes);
   if (sum.shape.triangles != 0)
     out += fmt::format("  {:<22}{:>15.3f}\n", "  bits per triangle", bits_per_triangle(sum));
+  if (sum.polygon_bytes != 0) line(out, "  of them for polygons", sum.polygon_bytes);
+  if (sum.stitching_bytes != 0) line(out, "  of them for stitching", sum.stitching_bytes);
   if (sum.order_bytes != 0) line(out, "  of them for the order", sum.order_bytes);
   line(out, "position bytes", sum.position_bytes);
   line(out, "attribute bytes", sum.attribute_bytes);

@@ -253,35 +253,47 @@ TEST(Decode, Limits) {
 
 TEST(Inspect, EqualsWhatTheEncoderReports) {
   std::vector<Mesh> meshes = {corpus::punch_holes(corpus::torus(20, 12), 3, 1),
-                              corpus::gyroid(1, 1, 1, 10, corpus::Ends::open)};
+                              corpus::gyroid(1, 1, 1, 10, corpus::Ends::open),
+                              corpus::chessboard(20), corpus::moebius_strip(30, 4),
+                              corpus::random_soup(400, 300, 7, 2)};
   meshes[1].attributes.push_back(
       random_attribute("id", Domain::face, Scalar::uint16, 1, meshes[1].face_count(), 3));
-  auto coded = encode(meshes);
-  ASSERT_TRUE(coded.ok());
-  auto info = inspect(coded->bytes);
-  ASSERT_TRUE(info.ok());
-  EXPECT_EQ(info->total_bytes, coded->bytes.size());
-  EXPECT_EQ(info->level, default_level);
-  ASSERT_EQ(info->meshes.size(), 2u);
-  std::uint64_t sum = info->overhead_bytes;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const MeshInfo &a = info->meshes[i], &b = coded->report[i];
-    auto shape = measure(meshes[i]);
-    ASSERT_TRUE(shape.ok());
-    for (const MeshShape& s : {a.shape, b.shape}) {
-      EXPECT_EQ(s.vertices, shape->vertices);
-      EXPECT_EQ(s.triangles, shape->triangles);
-      EXPECT_EQ(s.components, shape->components);
-      EXPECT_EQ(s.boundary_curves, shape->boundary_curves);
-      EXPECT_EQ(s.genus, shape->genus);
+  for (const Order order : {Order::free, Order::keep}) {
+    EncodeOptions options;
+    options.order = order;
+    auto coded = encode(meshes, options);
+    ASSERT_TRUE(coded.ok());
+    auto info = inspect(coded->bytes);
+    ASSERT_TRUE(info.ok());
+    EXPECT_EQ(info->total_bytes, coded->bytes.size());
+    EXPECT_EQ(info->level, default_level);
+    ASSERT_EQ(info->meshes.size(), meshes.size());
+    std::uint64_t sum = info->overhead_bytes;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+      const MeshInfo &a = info->meshes[i], &b = coded->report[i];
+      auto shape = measure(meshes[i]);
+      ASSERT_TRUE(shape.ok());
+      for (const MeshShape& s : {a.shape, b.shape}) {
+        EXPECT_EQ(s.vertices, shape->vertices);
+        EXPECT_EQ(s.triangles, shape->triangles);
+        EXPECT_EQ(s.components, shape->components);
+        EXPECT_EQ(s.boundary_curves, shape->boundary_curves);
+        EXPECT_EQ(s.genus, shape->genus);
+      }
+      EXPECT_EQ(a.clers, b.clers);
+      EXPECT_EQ(a.cuts.turned_faces, b.cuts.turned_faces);
+      EXPECT_EQ(a.cuts.copied_vertices, b.cuts.copied_vertices);
+      EXPECT_EQ(a.cuts.loose_faces, b.cuts.loose_faces);
+      EXPECT_EQ(a.connectivity_bytes, b.connectivity_bytes);
+      EXPECT_EQ(a.polygon_bytes, b.polygon_bytes);
+      EXPECT_EQ(a.stitching_bytes, b.stitching_bytes);
+      EXPECT_EQ(a.order_bytes, b.order_bytes);
+      EXPECT_EQ(a.position_bytes, b.position_bytes);
+      EXPECT_EQ(a.attribute_bytes, b.attribute_bytes);
+      sum += a.connectivity_bytes + a.position_bytes + a.attribute_bytes;
     }
-    EXPECT_EQ(a.clers, b.clers);
-    EXPECT_EQ(a.connectivity_bytes, b.connectivity_bytes);
-    EXPECT_EQ(a.position_bytes, b.position_bytes);
-    EXPECT_EQ(a.attribute_bytes, b.attribute_bytes);
-    sum += a.connectivity_bytes + a.position_bytes + a.attribute_bytes;
+    EXPECT_EQ(sum, info->total_bytes);
   }
-  EXPECT_EQ(sum, info->total_bytes);
 }
 
 }  // namespace
