@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
-#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -27,7 +27,7 @@ constexpr char usage[] =
     R"(usage: compare [OPTION]... [MESH or FOLDER]...
 
 Measures size, speed, memory and fidelity of mesh codecs, one thread, taking turns.
-Without a mesh: the folder in $CLERS_CORPUS.
+Without a mesh: the folder $CLERS_CORPUS, else what scripts/fetch-corpus brought.
 
   --modes LIST      of connectivity, q11, q14, q16, lossless (default: all)
   --codecs LIST     names or beginnings of names: clers, draco, draco-cl7, ... (default: all)
@@ -76,6 +76,20 @@ double number(const std::string& text) {
   return value;
 }
 
+// The folder of $CLERS_CORPUS, else where scripts/fetch-corpus puts its meshes.
+std::string default_corpus() {
+  const auto variable = [](const char* what) {
+    const char* value = std::getenv(what);
+    return std::string(value ? value : "");
+  };
+  if (const std::string corpus = variable("CLERS_CORPUS"); !corpus.empty()) return corpus;
+  std::string fetched = variable("CLERS_CORPUS_CACHE");
+  if (fetched.empty()) fetched = variable("HOME") + "/.cache/clers/corpus";
+  if (!std::filesystem::is_directory(fetched))
+    fail_usage("no mesh given, CLERS_CORPUS is not set and scripts/fetch-corpus did not run");
+  return fetched;
+}
+
 Arguments parse(int argc, char** argv) {
   Arguments a;
   for (int i = 1; i < argc; ++i) {
@@ -116,11 +130,7 @@ Arguments parse(int argc, char** argv) {
       a.meshes.push_back(option);
     }
   }
-  if (a.meshes.empty() && a.from.empty()) {
-    const char* corpus = std::getenv("CLERS_CORPUS");
-    if (!corpus || !*corpus) fail_usage("no mesh given and CLERS_CORPUS is not set");
-    a.meshes.push_back(corpus);
-  }
+  if (a.meshes.empty() && a.from.empty()) a.meshes.push_back(default_corpus());
   return a;
 }
 
@@ -168,9 +178,17 @@ Setting setting(const Sampling& sampling) {
   return s;
 }
 
+// What the connectivity of the mesh takes Draco; 0 if it fails.
+std::uint64_t draco_connectivity(const Input& input, unsigned timeout) {
+  for (const CodecEntry& entry : draco_codecs())
+    if (entry.name == "draco-valence")
+      return try_codec(entry, input, Mode::connectivity, timeout).bytes;
+  return 0;
+}
+
 // All codecs on one mesh in one mode.
-std::vector<Result> measure(const Input& input, Mode mode, const std::vector<CodecEntry>& entries,
-                            const Arguments& arguments) {
+std::vector<Result> measure(const Input& input, Mode mode, std::uint64_t draco_bytes,
+                            const std::vector<CodecEntry>& entries, const Arguments& arguments) {
   std::vector<Result> rows;
   std::vector<std::unique_ptr<Codec>> codecs;
   std::vector<Task> encodes, decodes;
@@ -186,6 +204,7 @@ std::vector<Result> measure(const Input& input, Mode mode, const std::vector<Cod
     r.vertices = input.vertex_count;
     r.manifold = input.manifold;
     r.fanned = input.fanned;
+    r.draco_connectivity = draco_bytes;
     r.trial = try_codec(entry, input, mode, arguments.timeout);
     rows.push_back(std::move(r));
     if (rows.back().failed()) continue;
@@ -217,7 +236,7 @@ void write_text(const std::string& file, const std::string& text) {
   if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
 }
 
-std::vector<Result> measure_all(const Arguments& arguments) {
+std::vector<Result> measure_all(const Setting& setting, const Arguments& arguments) {
   keep_heap_warm();
   std::vector<CodecEntry> entries;
   for (CodecEntry& entry : all_codecs())
@@ -232,11 +251,12 @@ std::vector<Result> measure_all(const Arguments& arguments) {
     if (file.string().find(arguments.filter) == std::string::npos) continue;
     try {
       const Input input = read_input(file);
+      const std::uint64_t draco_bytes = draco_connectivity(input, arguments.timeout);
       for (const Mode mode : arguments.modes) {
         std::cerr << "[" << done << "/" << files.size() << "] " << input.name << " " << name(mode)
                   << "\n";
-        std::vector<Result> rows = measure(input, mode, entries, arguments);
-        print_rows(std::cout, rows);
+        std::vector<Result> rows = measure(input, mode, draco_bytes, entries, arguments);
+        print_rows(std::cout, setting, rows);
         std::move(rows.begin(), rows.end(), std::back_inserter(results));
       }
     } catch (const std::exception& e) {
@@ -255,8 +275,8 @@ int run(int argc, char** argv) {
     const Setting s = setting(arguments.sampling);
     std::cout << s.machine << ", " << s.system << ", " << s.compiler << ", " << s.flags << "\n";
     for (const auto& [what, version] : s.versions) std::cout << what << " " << version << "\n";
-    const std::vector<Result> results = measure_all(arguments);
-    print_means(std::cout, results);
+    const std::vector<Result> results = measure_all(s, arguments);
+    print_means(std::cout, s, results);
     std::ostringstream text;
     write_json(text, s, results);
     json = text.str();

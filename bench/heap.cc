@@ -87,7 +87,7 @@ std::uint64_t stop_counting_heap() {
 
 void keep_heap_warm() {
   mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  mallopt(M_TRIM_THRESHOLD, -1);
   mallopt(M_TOP_PAD, 64 << 20);
 }
 

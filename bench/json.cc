@@ -31,7 +31,14 @@ void write_result(std::ostream& out, const Result& r) {
       << ", \"codec\": " << Quoted{r.codec} << ", \"mode\": \"" << name(r.mode)
       << "\", \"triangles\": " << r.triangles << ", \"vertices\": " << r.vertices
       << ", \"manifold\": " << (r.manifold ? "true" : "false")
-      << ", \"fanned\": " << (r.fanned ? "true" : "false");
+      << ", \"fanned\": " << (r.fanned ? "true" : "false")
+      << ", \"draco_connectivity_bytes\": " << r.draco_connectivity << ", \"groups\": [";
+  const char* separator = "";
+  for (const std::string& group : groups_of(r)) {
+    out << separator << Quoted{group};
+    separator = ", ";
+  }
+  out << "]";
   if (r.failed()) {
     out << ", \"failed\": " << Quoted{r.trial.failure}
         << ", \"bytes\": null, \"bits_per_triangle\": null, \"bits_per_vertex\": null, "

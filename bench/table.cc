@@ -21,6 +21,12 @@ References references(Mode mode) {
   return {"draco-cl7", "draco-cl10"};
 }
 
+constexpr char no_grid[] = "clers: no rows, since it does not code positions on a grid yet\n";
+
+bool is_ours(const Result& r) {
+  return r.codec.rfind("clers", 0) == 0;
+}
+
 const Result* find(const std::vector<Result>& rows, const std::string& codec) {
   for (const Result& r : rows)
     if (r.codec == codec && !r.failed()) return &r;
@@ -54,61 +60,94 @@ std::string describe(const Fidelity& f) {
   return text;
 }
 
-// A set of meshes to take the mean over.
-struct Group {
-  std::string name;
-  std::function<bool(const Result&)> has;
-};
-
-bool is_plant(const Result& r) {
-  return r.mesh.rfind("many-components-plant", 0) == 0;
-}
-
-// Scans, isosurfaces and a TIN that no predictor of connectivity gets much out of.
-bool is_irregular(const Result& r) {
-  for (const char* part : {"bunny", "igea", "horse", "pizza", "boot", "rocker", "st-helens",
-                           "teeth", "armadillo", "turbine"})
-    if (r.mesh.find(part) != std::string::npos) return r.manifold;
-  return false;
-}
-
-std::vector<Group> groups_of(const std::vector<Result>& results) {
-  std::vector<Group> groups = {
-      {"manifold", [](const Result& r) { return r.manifold; }},
-      {"no plant", [](const Result& r) { return r.manifold && !is_plant(r); }},
-      {"irregular", is_irregular},
-  };
-  std::set<std::string> families;
-  for (const Result& r : results) families.insert(r.family);
-  for (const std::string& family : families)
-    groups.push_back({family, [family](const Result& r) { return r.family == family; }});
-  return groups;
-}
-
 using Index = std::map<std::pair<std::string, std::string>, const Result*>;  // (mesh, codec)
 
-void print_mean_table(std::ostream& out, const std::string& title, const std::string& reference,
-                      const std::vector<std::string>& codecs, const std::vector<Group>& groups,
-                      const Index& index, const std::function<double(const Result&)>& of) {
-  out << "\n" << title << " " << reference << ": geometric means (meshes)\n";
-  out << format("%-24s", "");
-  for (const Group& g : groups) out << format(" %14s", g.name.c_str());
+// What ratios are taken of.
+struct Measure {
+  const char* name;
+  double (*of)(const Result&);
+};
+constexpr Measure measures[] = {
+    {"size", [](const Result& r) { return double(r.trial.bytes); }},
+    {"encode", [](const Result& r) { return r.encode_mtri_s(); }},
+    {"decode", [](const Result& r) { return r.decode_mtri_s(); }},
+};
+
+struct Mean {
+  double value = 0;
+  int meshes = 0;
+};
+
+// Of the ratios of `codec` to `reference`, over the meshes of `has` that both managed.
+Mean mean_ratio(const Index& index, const std::string& codec, const std::string& reference,
+                const Measure& measure, const std::function<bool(const Result&)>& has) {
+  double sum = 0;
+  Mean mean;
+  for (const auto& [key, r] : index) {
+    const auto base = index.find({key.first, reference});
+    if (key.second != codec || base == index.end() || !has(*r)) continue;
+    sum += std::log(measure.of(*r) / measure.of(*base->second));
+    ++mean.meshes;
+  }
+  if (mean.meshes) mean.value = std::exp(sum / mean.meshes);
+  return mean;
+}
+
+bool in_group(const Result& r, const std::string& group) {
+  const std::vector<std::string> groups = groups_of(r);
+  return std::find(groups.begin(), groups.end(), group) != groups.end();
+}
+
+// Every codec, all measures of the groups beside each other.
+void print_groups(std::ostream& out, const std::vector<std::string>& codecs,
+                  const std::string& reference, const Index& index) {
+  const std::size_t width = 8 * std::size(measures);
+  out << format("\n%-24s", "");
+  for (const char* group : group_names) out << format("  %*s", int(width + 5), group);
+  out << format("\n%-24s", "");
+  for (std::size_t g = 0; g < std::size(group_names); ++g) {
+    out << "  meshes";
+    for (const Measure& m : measures) out << format(" %7s", m.name);
+    out << " ";
+  }
   out << "\n";
   for (const std::string& codec : codecs) {
     out << format("%-24s", codec.c_str());
-    for (const Group& g : groups) {
-      double sum = 0;
-      int count = 0;
-      for (const auto& [key, r] : index) {
-        const auto base = index.find({key.first, reference});
-        // Below 500 bytes headers decide, not coding.
-        if (key.second != codec || !g.has(*r) || base == index.end() ||
-            base->second->trial.bytes < 500)
-          continue;
-        sum += std::log(of(*r) / of(*base->second));
-        ++count;
-      }
-      out << (count ? format(" %9.3f (%2d)", std::exp(sum / count), count) : format(" %14s", "-"));
+    for (const char* group : group_names) {
+      const auto has = [&](const Result& r) { return in_group(r, group); };
+      const int meshes = mean_ratio(index, codec, reference, measures[0], has).meshes;
+      out << format("  %6d", meshes);
+      for (const Measure& m : measures)
+        out << (meshes ? format(" %7.3f", mean_ratio(index, codec, reference, m, has).value)
+                       : format(" %7s", "-"));
+      out << " ";
+    }
+    out << "\n";
+  }
+}
+
+// One measure, the classes of meshes beside each other.
+void print_classes(std::ostream& out, const std::vector<std::string>& codecs,
+                   const std::string& reference, const Index& index, const Measure& measure) {
+  std::map<std::string, std::set<std::string>> meshes;  // by class
+  for (const auto& [key, r] : index)
+    if (r->draco_connectivity >= 500 && index.count({key.first, reference}))
+      meshes[r->family].insert(r->mesh);
+  out << format("\n%-24s", measure.name);
+  for (const auto& [family, names] : meshes) out << format(" %11.11s", family.c_str());
+  out << format("\n%-24s", "meshes");
+  for (const auto& [family, names] : meshes) out << format(" %11zu", names.size());
+  out << "\n";
+  for (const std::string& codec : codecs) {
+    out << format("%-24s", codec.c_str());
+    for (const auto& [family, names] : meshes) {
+      const auto has = [&, &family = family](const Result& r) {
+        return r.family == family && r.draco_connectivity >= 500;
+      };
+      const Mean mean = mean_ratio(index, codec, reference, measure, has);
+      // Fewer meshes than the others: the codec failed on some.
+      const char* mark = mean.meshes < int(names.size()) ? "*" : " ";
+      out << (mean.meshes ? format(" %10.3f%s", mean.value, mark) : format(" %10s ", "fails"));
     }
     out << "\n";
   }
@@ -116,11 +155,7 @@ void print_mean_table(std::ostream& out, const std::string& title, const std::st
 
 }  // namespace
 
-double Result::peak_bytes_per_triangle() const {
-  return double(std::max(trial.encode_peak, trial.decode_peak)) / double(triangles);
-}
-
-void print_rows(std::ostream& out, const std::vector<Result>& rows) {
+void print_rows(std::ostream& out, const Setting& setting, const std::vector<Result>& rows) {
   if (rows.empty()) return;
   const Result& first = rows.front();
   const References names = references(first.mode);
@@ -133,7 +168,9 @@ void print_rows(std::ostream& out, const std::vector<Result>& rows) {
   out << "\n"
       << first.mesh << ", " << name(first.mode) << ": " << first.triangles << " triangles, "
       << first.vertices << " vertices" << (first.fanned ? ", polygons fanned" : "")
-      << (first.manifold ? "" : ", not manifold") << "\n";
+      << (first.manifold ? "" : ", not manifold") << "; class " << first.family << "; "
+      << setting.rivals() << "\n";
+  if (bits(first.mode) && std::none_of(rows.begin(), rows.end(), is_ours)) out << no_grid;
   out << format("%-24s %10s %8s %8s %8s %8s %7s |%7s |%7s %7s |%7s %7s  %s\n", "", "bytes",
                 "bit/tri", "bit/vtx", "enc Mt/s", "dec Mt/s", "B/tri",
                 "size:", "enc:", "enc:", "dec:", "dec:", "same mesh");
@@ -158,30 +195,30 @@ void print_rows(std::ostream& out, const std::vector<Result>& rows) {
   out.flush();
 }
 
-void print_means(std::ostream& out, const std::vector<Result>& results) {
+void print_means(std::ostream& out, const Setting& setting, const std::vector<Result>& results) {
   for (const Mode mode : all_modes) {
     Index index;
     std::vector<std::string> codecs;
-    std::vector<Result> of_mode;
+    bool ours = false;
     for (const Result& r : results) {
       if (r.mode != mode) continue;
       if (std::find(codecs.begin(), codecs.end(), r.codec) == codecs.end())
         codecs.push_back(r.codec);
-      of_mode.push_back(r);
-    }
-    for (const Result& r : of_mode)
       if (!r.failed()) index[{r.mesh, r.codec}] = &r;
+      ours = ours || is_ours(r);
+    }
     if (index.empty()) continue;
-    const std::vector<Group> groups = groups_of(of_mode);
-    const References names = references(mode);
-    out << "\n==== " << name(mode) << " ====\n";
-    for (const char* reference : {names.fast, names.small}) {
-      print_mean_table(out, "bytes, of", reference, codecs, groups, index,
-                       [](const Result& r) { return double(r.trial.bytes); });
-      print_mean_table(out, "encode speed, over", reference, codecs, groups, index,
-                       [](const Result& r) { return r.encode_mtri_s(); });
-      print_mean_table(out, "decode speed, over", reference, codecs, groups, index,
-                       [](const Result& r) { return r.decode_mtri_s(); });
+    for (const char* reference : {references(mode).fast, references(mode).small}) {
+      const bool weighty = std::any_of(index.begin(), index.end(), [&](const auto& entry) {
+        return entry.first.second == reference && entry.second->draco_connectivity >= 500;
+      });
+      if (!weighty) continue;
+      out << "\n==== " << name(mode) << ": ratios to " << reference
+          << ", geometric means over meshes whose connectivity takes Draco 500 bytes or more ====\n"
+          << "==== size: smaller is better; speed: larger is; " << setting.rivals() << " ====\n";
+      if (bits(mode) && !ours) out << no_grid;
+      print_groups(out, codecs, reference, index);
+      for (const Measure& m : measures) print_classes(out, codecs, reference, index, m);
     }
   }
   out.flush();
