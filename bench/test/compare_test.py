@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""Runs compare and scaling on small meshes and checks what they write.
+
+usage: compare_test.py COMPARE SCALING
+"""
+import json
+import pathlib
+import random
+import re
+import subprocess
+import sys
+import tempfile
+
+KEYS = {"mesh", "class", "codec", "mode", "bytes", "bits_per_triangle", "encode_mtri_s", "decode_mtri_s",
+        "peak_bytes_per_triangle", "same_mesh"}
+CODECS = {
+    "connectivity": {"clers-1", "clers-3", "clers-5", "clers-9", "draco-standard", "draco-valence", "meshopt-vcache",
+                     "meshopt-vcache-zstd19", "meshopt-strip", "meshopt-strip-zstd19", "zstd19"},
+    "lossless": {"clers-1", "clers-3", "clers-5", "clers-9", "draco-cl5", "draco-cl7", "draco-cl10", "openctm-mg1",
+                 "meshopt-vcache-zstd19", "meshopt-strip-zstd19", "zstd19"}}
+for mode in ("q11", "q14", "q16"):
+    CODECS[mode] = {"draco-cl5", "draco-cl7", "draco-cl10", "openctm-mg2", "meshopt-vcache-zstd19",
+                    "meshopt-strip-zstd19"}
+
+
+def run(*command):
+    return subprocess.run([str(c) for c in command], check=True, text=True, capture_output=True).stdout
+
+
+def torus(n):
+    """OBJ of n x n squares, cut along either diagonal but for one."""
+    random.seed(1)
+    lines = [f"v {x} {y} {x * y % 7}" for y in range(n) for x in range(n)]
+    for y in range(n):
+        for x in range(n):
+            a, b, c, d = (1 + (y + j) % n * n + (x + i) % n for i, j in ((0, 0), (1, 0), (1, 1), (0, 1)))
+            if (x, y) == (0, 0):
+                lines.append(f"f {a} {b} {c} {d}")
+            elif random.random() < 0.5:
+                lines += [f"f {a} {b} {c}", f"f {a} {c} {d}"]
+            else:
+                lines += [f"f {a} {b} {d}", f"f {b} {c} {d}"]
+    return "\n".join(lines) + "\n"
+
+
+def check(condition, what):
+    if not condition:
+        sys.exit(f"compare_test: {what}")
+
+
+def main():
+    compare, scaling = map(pathlib.Path, sys.argv[1:])
+    with tempfile.TemporaryDirectory() as folder:
+        at = pathlib.Path(folder)
+        (at / "cad-torus.obj").write_text(torus(64))
+        # Three triangles at an edge, and one that uses a vertex twice.
+        (at / "nonmanifold-book.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 1 1\n"
+                                                 "f 1 2 3\nf 1 2 4\nf 1 2 5\nf 1 1 2\n")
+        (at / "broken.obj").write_text("f 1 2 3\n")
+        (at / "notes.txt").write_text("not a mesh")
+        out = run(compare, "--repeats", "2", "--min-time", "0", "--json", at / "r.json", at)
+        run(scaling, "--max", "4000", "--repeats", "1", "--json", at / "s.json")
+        run(compare, "--from", at / "r.json", "--scaling", at / "s.json", "--html", at / "p.html")
+
+        data = json.loads((at / "r.json").read_text())
+        check({"machine", "compiler", "flags", "versions", "results"} <= set(data), "the JSON lacks a key")
+        check(all(data["versions"].values()), "a version is empty")
+        rows = data["results"]
+        for r in rows:
+            check(KEYS <= set(r), f"a result lacks {KEYS - set(r)}")
+            check("failed" in r or r["bytes"] > 0 and r["encode_mtri_s"] > 0 and r["decode_mtri_s"] > 0, f"no figures: {r}")
+        for mode, codecs in CODECS.items():
+            seen = {r["codec"] for r in rows if r["mode"] == mode and r["mesh"] == "cad-torus"}
+            check(codecs <= seen, f"{mode}: no rows of {codecs - seen}")
+            check(all("debian" in c for c in seen - codecs), f"{mode}: unknown rows {seen - codecs}")
+        for r in rows:
+            if r["mesh"] == "cad-torus":
+                check(r["class"] == "cad" and r["manifold"] and r["fanned"] and r["triangles"] == 8192, f"misread: {r}")
+                check(r["same_mesh"], f"another mesh comes back: {r}")
+            elif r["codec"].startswith("clers"):
+                check(r["same_mesh"] and not r["manifold"], f"clers loses something: {r}")
+        draco = [r for r in rows if r["mesh"] == "nonmanifold-book" and r["codec"] == "draco-valence"]
+        check(not draco[0]["same_mesh"] and draco[0]["triangles_lost"] == 1, f"Draco's loss is not seen: {draco}")
+        check("meshoptimizer" in out and "connectivity: ratios to draco-valence" in out, "the tables are incomplete")
+
+        points, fits = (json.loads((at / "s.json").read_text())[k] for k in ("points", "fits"))
+        check(len({p["shape"] for p in points}) == 8 and fits, "scaling lacks a shape")
+
+        page = (at / "p.html").read_text()
+        check("@RESULTS@" not in page and "@SCALING@" not in page, "the page has no data")
+        check(not re.search(r"""(src|href)\s*=|@import|url\(|https?://(?!www\.w3\.org)""", page), "the page is not self-contained")
+
+        failing = subprocess.run([compare, "--modes", "q12", at], text=True, capture_output=True)
+        check(failing.returncode == 2 and "no such mode" in failing.stderr, "a wrong mode is taken")
+
+
+main()
