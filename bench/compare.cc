@@ -32,9 +32,10 @@ Without a mesh: the folder $CLERS_CORPUS, else what scripts/fetch-corpus brought
   --modes LIST      of connectivity, q11, q14, q16, lossless (default: all)
   --codecs LIST     names or beginnings of names: clers, draco, draco-cl7, ... (default: all)
   --filter TEXT     only meshes whose name contains TEXT
-  --repeats N       samples of each encode and decode (default 15)
-  --min-time S      seconds a sample lasts at least; short runs are repeated (default 0.002)
-  --budget S        seconds for one codec on one mesh, then three samples do (default 0.4)
+  --repeats N       samples of each encode and decode (default 60)
+  --min-time S      seconds a sample lasts at least; short runs are repeated (default 0.0001)
+  --budget S        seconds for one codec's encodes or decodes of one mesh; slow ones get
+                    fewer samples, three at least (default 0.5)
   --timeout S       seconds of CPU time for a codec's first run (default 120)
   --json FILE       the results
   --html FILE       the results as one page with charts

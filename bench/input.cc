@@ -127,7 +127,8 @@ bool is_oriented_manifold(std::uint32_t vertex_count, const std::vector<std::uin
 Input make_input(std::string name, std::uint32_t vertex_count, std::vector<std::uint32_t> triangles,
                  std::vector<float> positions) {
   Input input;
-  input.family = name.substr(0, name.find('-'));
+  const std::size_t begin = name.rfind("many-", 0) == 0 ? 5 : 0;  // many-components-plant
+  input.family = name.substr(begin, name.find('-', begin) - begin);
   input.name = std::move(name);
   input.vertex_count = vertex_count;
   input.triangles = std::move(triangles);

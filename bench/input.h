@@ -16,7 +16,7 @@ namespace clers::bench {
 /// neither.
 struct Input {
   std::string name;    ///< file name without extension
-  std::string family;  ///< class of the mesh: what stands before the first '-' of the name
+  std::string family;  ///< class of the mesh: the first word of the name, less "many-"
   std::uint32_t vertex_count = 0;
   std::vector<std::uint32_t> triangles;  ///< 3 for each triangle
   std::vector<float> positions;          ///< 3 for each vertex

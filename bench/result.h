@@ -25,8 +25,8 @@ struct Result {
   bool failed() const { return !trial.failure.empty(); }
   double bits_per_triangle() const { return 8.0 * double(trial.bytes) / double(triangles); }
   double bits_per_vertex() const { return 8.0 * double(trial.bytes) / double(vertices); }
-  double encode_mtri_s() const { return 1e-6 * double(triangles) / encode.even; }
-  double decode_mtri_s() const { return 1e-6 * double(triangles) / decode.even; }
+  double encode_mtri_s() const { return 1e-6 * double(triangles) / encode.quiet; }
+  double decode_mtri_s() const { return 1e-6 * double(triangles) / decode.quiet; }
   double peak_bytes_per_triangle() const;
 };
 

@@ -92,7 +92,7 @@ struct Arguments {
   double max = 1e7;
   std::vector<std::string> codecs = {"clers-1", "clers-5", "draco-standard", "draco-valence"};
   std::string shape, json;
-  Sampling sampling{9, 5e-3, 2};
+  Sampling sampling{9, 1e-4, 2};
 };
 
 // Slope of log time over log triangles by least squares; time is the cost times the triangles.
@@ -158,7 +158,7 @@ std::vector<Point> measure(const std::vector<Input>& inputs, const std::vector<C
     const Input& input = inputs[i / entries.size()];
     const double n = double(input.triangle_count());
     points.push_back({input.name, entries[i % entries.size()].name, input.triangle_count(),
-                      1e9 * encode[i].even / n, 1e9 * decode[i].even / n,
+                      1e9 * encode[i].quiet / n, 1e9 * decode[i].quiet / n,
                       8.0 * double(codecs[i]->bytes()) / n});
   }
   return points;

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace clers::bench {
 namespace {
+
+constexpr int least_samples = 3;
 
 // What a pair of clock calls costs, which is not the task's.
 double clock_cost() {
@@ -26,42 +29,35 @@ double run_once(const Task& task, double overhead) {
   return std::max(taken, 1e-9);
 }
 
-double median(std::vector<double> values) {
-  const std::size_t half = values.size() / 2;
-  std::sort(values.begin(), values.end());
-  return values.size() % 2 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
-
-// samples[i][r] is task i's in round r; a task may have stopped early.
+// samples[i]: seconds for a run of task i, in the order of rounds.
 using Samples = std::vector<std::vector<double>>;
 
 Samples take_samples(const std::vector<Task>& tasks, const Sampling& sampling) {
   const double overhead = clock_cost();
-  struct State {
+  struct Pace {
     int runs = 1;  // in a sample
-    double spent = 0;
-    bool enough = false;
+    double budget = 0, spent = 0;
   };
-  std::vector<State> states(tasks.size());
+  std::vector<Pace> paces(tasks.size());
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     const double first = run_once(tasks[i], overhead);
-    states[i].runs = std::max(1, static_cast<int>(std::ceil(sampling.min_sample / first)));
+    paces[i].runs = std::max(1, static_cast<int>(std::ceil(sampling.min_sample / first)));
+    paces[i].budget = std::max(sampling.budget, least_samples * first * paces[i].runs);
   }
   Samples samples(tasks.size());
-  for (bool more = !tasks.empty(); more;) {
-    more = false;
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-      State& state = states[i];
-      if (state.enough) continue;
-      double sum = 0;
-      for (int r = 0; r < state.runs; ++r) sum += run_once(tasks[i], overhead);
-      samples[i].push_back(sum / state.runs);
-      state.spent += sum;
-      const auto count = static_cast<int>(samples[i].size());
-      state.enough = count >= sampling.repeats || (count >= 3 && state.spent >= sampling.budget);
-      more |= !state.enough;
-    }
-  }
+  const auto sample = [&](std::size_t i) {
+    double sum = 0;
+    for (int r = 0; r < paces[i].runs; ++r) sum += run_once(tasks[i], overhead);
+    samples[i].push_back(sum / paces[i].runs);
+    paces[i].spent += sum;
+  };
+  for (int round = 0; round < sampling.repeats; ++round)
+    for (std::size_t i = 0; i < tasks.size(); ++i)
+      if (paces[i].spent <= paces[i].budget * round / sampling.repeats) sample(i);
+  // Where the first run was the fastest by far.
+  const int least = std::min(least_samples, sampling.repeats);
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+    while (static_cast<int>(samples[i].size()) < least) sample(i);
   return samples;
 }
 
@@ -74,33 +70,18 @@ double thread_seconds() {
 }
 
 std::vector<Timing> time_in_turns(const std::vector<Task>& tasks, const Sampling& sampling) {
-  Samples samples = take_samples(tasks, sampling);
-  std::vector<Timing> timings(tasks.size());
-  std::size_t rounds = 0;
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    timings[i].samples = samples[i].size();
-    timings[i].median = median(samples[i]);
-    timings[i].best = *std::min_element(samples[i].begin(), samples[i].end());
-    rounds = std::max(rounds, samples[i].size());
+  std::vector<Timing> timings;
+  for (std::vector<double>& s : take_samples(tasks, sampling)) {
+    std::sort(s.begin(), s.end());
+    const std::size_t half = s.size() / 2, quarter = (s.size() + 3) / 4;
+    Timing t;
+    t.quiet =
+        std::accumulate(s.begin(), s.begin() + std::ptrdiff_t(quarter), 0.0) / double(quarter);
+    t.median = s.size() % 2 ? s[half] : 0.5 * (s[half - 1] + s[half]);
+    t.best = s.front();
+    t.samples = s.size();
+    timings.push_back(t);
   }
-  for (std::size_t r = 0; r < rounds; ++r) {
-    double sum = 0;
-    int count = 0;
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-      if (r >= samples[i].size()) continue;
-      sum += std::log(samples[i][r] / timings[i].median);
-      ++count;
-    }
-    const double slowness = std::exp(sum / count);
-    for (std::vector<double>& s : samples)
-      if (r < s.size()) s[r] /= slowness;
-  }
-  double to_best = 0;
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    timings[i].even = median(samples[i]);
-    to_best += std::log(timings[i].best / timings[i].even) / static_cast<double>(tasks.size());
-  }
-  for (Timing& t : timings) t.even *= std::exp(to_best);
   return timings;
 }
 

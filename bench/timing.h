@@ -18,26 +18,26 @@ struct Task {
 };
 
 struct Sampling {
-  int repeats = 15;          ///< samples wanted of each task
-  double min_sample = 2e-3;  ///< seconds: short runs are repeated within a sample
-  double budget = 0.4;       ///< seconds for one task, after which three samples are enough
+  int repeats = 60;          ///< rounds: samples wanted of each task
+  double min_sample = 1e-4;  ///< seconds: shorter runs are repeated within a sample
+  double budget = 0.5;       ///< seconds for one task; a slow one sits rounds out
 };
 
 /// Seconds for one run.
 struct Timing {
-  double even = 0;  ///< what speeds and ratios are made of, see time_in_turns
+  double quiet = 0;  ///< mean of the fastest quarter of the samples: what speeds are made of
   double median = 0, best = 0;
   std::size_t samples = 0;
 };
 
 /// Times all tasks in turns: one sample of each, then the next round, so that whatever else the
-/// machine does falls on all alike. Before that each runs once, to warm up.
+/// machine does falls on all alike, and that no task finds the branch predictor trained on its own
+/// input by the run before. Before that each runs once, to warm up. A task that takes long is left
+/// out of rounds evenly, and gets three samples at least.
 ///
-/// A busy machine slows whole rounds, by tens of percent, and neither the best sample nor the
-/// median of a task then has a steady ratio to another's. So each sample is divided by the slowness
-/// of its round: the geometric mean, over the tasks, of its sample over the task's median. `even`
-/// is the median of these, scaled for all tasks by the same factor, so that they agree on average
-/// with the best samples. On a quiet machine all three are the same.
+/// Whoever shares caches and memory with us only ever slows a sample, by tens of percent and some
+/// codecs more than others. The median is then a measure of the neighbours, and the best sample one
+/// of luck; the mean of the fastest quarter has the steadiest ratios from run to run.
 std::vector<Timing> time_in_turns(const std::vector<Task>& tasks, const Sampling& sampling);
 
 }  // namespace clers::bench
