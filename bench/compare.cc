@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <span>
 #include <sstream>
 
 #include "bench/heap.h"
@@ -35,7 +36,8 @@ Without a mesh: the folder $CLERS_CORPUS, else what scripts/fetch-corpus brought
   --repeats N       samples of each encode and decode (default 60)
   --min-time S      seconds a sample lasts at least; short runs are repeated (default 0.0001)
   --budget S        seconds for one codec's encodes or decodes of one mesh; slow ones get
-                    fewer samples, three at least (default 0.5)
+                    fewer samples, three at least (default 1)
+  --passes N        the samples are taken in N passes over all meshes (default 3)
   --timeout S       seconds of CPU time for a codec's first run (default 120)
   --json FILE       the results
   --html FILE       the results as one page with charts
@@ -48,6 +50,7 @@ struct Arguments {
   std::vector<std::string> codecs, meshes;
   std::string filter, json, html, scaling, from;
   Sampling sampling;
+  int passes = 3;
   unsigned timeout = 120;
 };
 
@@ -115,6 +118,8 @@ Arguments parse(int argc, char** argv) {
       a.sampling.min_sample = number(value());
     } else if (option == "--budget") {
       a.sampling.budget = number(value());
+    } else if (option == "--passes") {
+      a.passes = std::max(1, static_cast<int>(number(value())));
     } else if (option == "--timeout") {
       a.timeout = static_cast<unsigned>(number(value()));
     } else if (option == "--json") {
@@ -157,7 +162,7 @@ std::string processor() {
   return "unknown processor";
 }
 
-Setting setting(const Sampling& sampling) {
+Setting setting(const Arguments& arguments) {
   utsname system{};
   uname(&system);
   Setting s;
@@ -175,7 +180,8 @@ Setting setting(const Sampling& sampling) {
                 {"meshoptimizer", meshopt_version()},
                 {"openctm", openctm_version()},
                 {"zstd", zstd_version()}};
-  s.sampling = sampling;
+  s.passes = arguments.passes;
+  s.sampling = arguments.sampling;
   return s;
 }
 
@@ -187,13 +193,10 @@ std::uint64_t draco_connectivity(const Input& input, unsigned timeout) {
   return 0;
 }
 
-// All codecs on one mesh in one mode.
-std::vector<Result> measure(const Input& input, Mode mode, std::uint64_t draco_bytes,
-                            const std::vector<CodecEntry>& entries, const Arguments& arguments) {
+// First runs of all codecs on one mesh in one mode: bytes, heap, fidelity.
+std::vector<Result> first_runs(const Input& input, Mode mode, std::uint64_t draco_bytes,
+                               const std::vector<CodecEntry>& entries, unsigned timeout) {
   std::vector<Result> rows;
-  std::vector<std::unique_ptr<Codec>> codecs;
-  std::vector<Task> encodes, decodes;
-  std::vector<std::size_t> row_of;  // of each codec that is timed
   for (const CodecEntry& entry : entries) {
     if (std::find(entry.modes.begin(), entry.modes.end(), mode) == entry.modes.end()) continue;
     Result r;
@@ -206,23 +209,36 @@ std::vector<Result> measure(const Input& input, Mode mode, std::uint64_t draco_b
     r.manifold = input.manifold;
     r.fanned = input.fanned;
     r.draco_connectivity = draco_bytes;
-    r.trial = try_codec(entry, input, mode, arguments.timeout);
+    r.trial = try_codec(entry, input, mode, timeout);
     rows.push_back(std::move(r));
-    if (rows.back().failed()) continue;
-    codecs.push_back(entry.make());
+  }
+  return rows;
+}
+
+// Times what did not fail.
+void take_samples(const Input& input, const std::vector<CodecEntry>& entries,
+                  const Sampling& sampling, std::span<Result> rows) {
+  std::vector<std::unique_ptr<Codec>> codecs;
+  std::vector<Task> encodes, decodes;
+  std::vector<Result*> timed;
+  for (Result& row : rows) {
+    if (row.failed()) continue;
+    const auto entry = std::find_if(entries.begin(), entries.end(),
+                                    [&](const CodecEntry& e) { return e.name == row.codec; });
+    codecs.push_back(entry->make());
     Codec* codec = codecs.back().get();
-    codec->prepare(input, mode);
-    row_of.push_back(rows.size() - 1);
+    codec->prepare(input, row.mode);
+    timed.push_back(&row);
     encodes.push_back({[codec] { codec->encode(); }, [] {}});
     decodes.push_back({[codec] { codec->decode(); }, [codec] { codec->discard(); }});
   }
-  const std::vector<Timing> encode = time_in_turns(encodes, arguments.sampling);
-  const std::vector<Timing> decode = time_in_turns(decodes, arguments.sampling);
-  for (std::size_t i = 0; i < row_of.size(); ++i) {
-    rows[row_of[i]].encode = encode[i];
-    rows[row_of[i]].decode = decode[i];
+  const std::vector<Samples> encode = sample_in_turns(encodes, sampling);
+  const std::vector<Samples> decode = sample_in_turns(decodes, sampling);
+  for (std::size_t i = 0; i < timed.size(); ++i) {
+    Result& r = *timed[i];
+    r.encode_samples.insert(r.encode_samples.end(), encode[i].begin(), encode[i].end());
+    r.decode_samples.insert(r.decode_samples.end(), decode[i].begin(), decode[i].end());
   }
-  return rows;
 }
 
 std::string read_text(const std::string& file) {
@@ -237,6 +253,38 @@ void write_text(const std::string& file, const std::string& text) {
   if (!out.flush()) throw std::runtime_error(file + ": cannot be written");
 }
 
+// A mesh file and its results, mode by mode.
+struct Work {
+  std::filesystem::path file;
+  std::vector<std::vector<Result>> modes;
+  bool unreadable = false;
+};
+
+// One pass over a file; the first makes the results. Prints when there are no more to come.
+void measure(Work& work, bool first, bool last, const std::vector<CodecEntry>& entries,
+             const Setting& setting, const Arguments& arguments) {
+  Sampling sampling = setting.sampling;
+  sampling.repeats = (sampling.repeats + setting.passes - 1) / setting.passes;
+  sampling.least = (sampling.least + setting.passes - 1) / setting.passes;
+  sampling.budget /= setting.passes;
+  const Input input = read_input(work.file);
+  if (first) {
+    const std::uint64_t draco_bytes = draco_connectivity(input, arguments.timeout);
+    for (const Mode mode : arguments.modes)
+      work.modes.push_back(first_runs(input, mode, draco_bytes, entries, arguments.timeout));
+  }
+  for (std::vector<Result>& rows : work.modes) {
+    take_samples(input, entries, sampling, rows);
+    if (!last) continue;
+    for (Result& r : rows) {
+      if (r.failed()) continue;
+      r.encode = summary(r.encode_samples);
+      r.decode = summary(r.decode_samples);
+    }
+    print_rows(std::cout, setting, rows);
+  }
+}
+
 std::vector<Result> measure_all(const Setting& setting, const Arguments& arguments) {
   keep_heap_warm();
   std::vector<CodecEntry> entries;
@@ -244,26 +292,28 @@ std::vector<Result> measure_all(const Setting& setting, const Arguments& argumen
     if (wanted(entry, arguments.codecs)) entries.push_back(std::move(entry));
   if (entries.empty()) fail_usage("no such codec");
 
-  const auto files = list_files(arguments.meshes);
-  std::vector<Result> results;
-  std::size_t done = 0;
-  for (const auto& file : files) {
-    ++done;
-    if (file.string().find(arguments.filter) == std::string::npos) continue;
-    try {
-      const Input input = read_input(file);
-      const std::uint64_t draco_bytes = draco_connectivity(input, arguments.timeout);
-      for (const Mode mode : arguments.modes) {
-        std::cerr << "[" << done << "/" << files.size() << "] " << input.name << " " << name(mode)
-                  << "\n";
-        std::vector<Result> rows = measure(input, mode, draco_bytes, entries, arguments);
-        print_rows(std::cout, setting, rows);
-        std::move(rows.begin(), rows.end(), std::back_inserter(results));
+  std::vector<Work> works;
+  for (const auto& file : list_files(arguments.meshes))
+    if (file.string().find(arguments.filter) != std::string::npos) works.push_back({file, {}});
+  for (int pass = 0; pass < setting.passes; ++pass) {
+    std::size_t count = 0;
+    for (Work& work : works) {
+      ++count;
+      if (work.unreadable) continue;
+      std::cerr << "[pass " << pass + 1 << "/" << setting.passes << ", mesh " << count << "/"
+                << works.size() << "] " << work.file.filename().string() << "\n";
+      try {
+        measure(work, pass == 0, pass + 1 == setting.passes, entries, setting, arguments);
+      } catch (const std::exception& e) {
+        std::cerr << "compare: " << work.file.string() << " left out: " << e.what() << "\n";
+        work = {work.file, {}, true};
       }
-    } catch (const std::exception& e) {
-      std::cerr << "compare: " << file.string() << " left out: " << e.what() << "\n";
     }
   }
+  std::vector<Result> results;
+  for (Work& work : works)
+    for (std::vector<Result>& rows : work.modes)
+      std::move(rows.begin(), rows.end(), std::back_inserter(results));
   return results;
 }
 
@@ -273,7 +323,7 @@ int run(int argc, char** argv) {
   if (!arguments.from.empty()) {
     json = read_text(arguments.from);
   } else {
-    const Setting s = setting(arguments.sampling);
+    const Setting s = setting(arguments);
     std::cout << s.machine << ", " << s.system << ", " << s.compiler << ", " << s.flags << "\n";
     for (const auto& [what, version] : s.versions) std::cout << what << " " << version << "\n";
     const std::vector<Result> results = measure_all(s, arguments);

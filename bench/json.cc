@@ -79,7 +79,8 @@ void write_json(std::ostream& out, const Setting& s, const std::vector<Result>& 
     out << separator << Quoted{what} << ": " << Quoted{version};
     separator = ", ";
   }
-  out << "},\n\"repeats\": " << s.sampling.repeats << ",\n\"results\": [";
+  out << "},\n\"passes\": " << s.passes << ",\n\"repeats\": " << s.sampling.repeats
+      << ",\n\"results\": [";
   separator = "\n";
   for (const Result& r : results) {
     out << separator;

@@ -20,7 +20,8 @@ struct Result {
   bool manifold = false, fanned = false;
   std::uint64_t draco_connectivity = 0;  ///< bytes draco-valence takes for the mesh; 0: it fails
   Trial trial;                           ///< trial.failure set: nothing else is
-  Timing encode, decode;
+  Samples encode_samples, decode_samples;
+  Timing encode, decode;  ///< their summaries
 
   bool failed() const { return !trial.failure.empty(); }
   double bits_per_triangle() const { return 8.0 * double(trial.bytes) / double(triangles); }
@@ -34,7 +35,8 @@ struct Result {
 struct Setting {
   std::string machine, system, compiler, flags;
   std::vector<std::pair<std::string, std::string>> versions;
-  Sampling sampling;
+  int passes = 1;
+  Sampling sampling;  ///< in all passes together
 
   /// The rivals with their versions on one line, for the heads of tables.
   std::string rivals() const;

@@ -152,13 +152,14 @@ std::vector<Point> measure(const std::vector<Input>& inputs, const std::vector<C
       decodes.push_back({[codec] { codec->decode(); }, [codec] { codec->discard(); }});
     }
   }
-  const auto encode = time_in_turns(encodes, sampling), decode = time_in_turns(decodes, sampling);
+  const auto encode = sample_in_turns(encodes, sampling),
+             decode = sample_in_turns(decodes, sampling);
   std::vector<Point> points;
   for (std::size_t i = 0; i < codecs.size(); ++i) {
     const Input& input = inputs[i / entries.size()];
     const double n = double(input.triangle_count());
     points.push_back({input.name, entries[i % entries.size()].name, input.triangle_count(),
-                      1e9 * encode[i].quiet / n, 1e9 * decode[i].quiet / n,
+                      1e9 * summary(encode[i]).quiet / n, 1e9 * summary(decode[i]).quiet / n,
                       8.0 * double(codecs[i]->bytes()) / n});
   }
   return points;

@@ -9,8 +9,6 @@
 namespace clers::bench {
 namespace {
 
-constexpr int least_samples = 3;
-
 // What a pair of clock calls costs, which is not the task's.
 double clock_cost() {
   double best = 1;
@@ -29,11 +27,17 @@ double run_once(const Task& task, double overhead) {
   return std::max(taken, 1e-9);
 }
 
-// samples[i]: seconds for a run of task i, in the order of rounds.
-using Samples = std::vector<std::vector<double>>;
+}  // namespace
 
-Samples take_samples(const std::vector<Task>& tasks, const Sampling& sampling) {
+double thread_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+std::vector<Samples> sample_in_turns(const std::vector<Task>& tasks, const Sampling& sampling) {
   const double overhead = clock_cost();
+  const int least = std::min(sampling.least, sampling.repeats);
   struct Pace {
     int runs = 1;  // in a sample
     double budget = 0, spent = 0;
@@ -42,9 +46,9 @@ Samples take_samples(const std::vector<Task>& tasks, const Sampling& sampling) {
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     const double first = run_once(tasks[i], overhead);
     paces[i].runs = std::max(1, static_cast<int>(std::ceil(sampling.min_sample / first)));
-    paces[i].budget = std::max(sampling.budget, least_samples * first * paces[i].runs);
+    paces[i].budget = std::max(sampling.budget, least * first * paces[i].runs);
   }
-  Samples samples(tasks.size());
+  std::vector<Samples> samples(tasks.size());
   const auto sample = [&](std::size_t i) {
     double sum = 0;
     for (int r = 0; r < paces[i].runs; ++r) sum += run_once(tasks[i], overhead);
@@ -55,34 +59,20 @@ Samples take_samples(const std::vector<Task>& tasks, const Sampling& sampling) {
     for (std::size_t i = 0; i < tasks.size(); ++i)
       if (paces[i].spent <= paces[i].budget * round / sampling.repeats) sample(i);
   // Where the first run was the fastest by far.
-  const int least = std::min(least_samples, sampling.repeats);
   for (std::size_t i = 0; i < tasks.size(); ++i)
     while (static_cast<int>(samples[i].size()) < least) sample(i);
   return samples;
 }
 
-}  // namespace
-
-double thread_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-std::vector<Timing> time_in_turns(const std::vector<Task>& tasks, const Sampling& sampling) {
-  std::vector<Timing> timings;
-  for (std::vector<double>& s : take_samples(tasks, sampling)) {
-    std::sort(s.begin(), s.end());
-    const std::size_t half = s.size() / 2, quarter = (s.size() + 3) / 4;
-    Timing t;
-    t.quiet =
-        std::accumulate(s.begin(), s.begin() + std::ptrdiff_t(quarter), 0.0) / double(quarter);
-    t.median = s.size() % 2 ? s[half] : 0.5 * (s[half - 1] + s[half]);
-    t.best = s.front();
-    t.samples = s.size();
-    timings.push_back(t);
-  }
-  return timings;
+Timing summary(Samples s) {
+  std::sort(s.begin(), s.end());
+  const std::size_t half = s.size() / 2, quarter = (s.size() + 3) / 4;
+  Timing t;
+  t.quiet = std::accumulate(s.begin(), s.begin() + std::ptrdiff_t(quarter), 0.0) / double(quarter);
+  t.median = s.size() % 2 ? s[half] : 0.5 * (s[half - 1] + s[half]);
+  t.best = s.front();
+  t.samples = s.size();
+  return t;
 }
 
 }  // namespace clers::bench

@@ -183,12 +183,35 @@ TEST(Timing, GivesRatiosOfWork) {
     for (int i = 0; i < n; ++i) busy = i;
   };
   const std::vector<Task> tasks = {{[&] { work(200000); }, [] {}}, {[&] { work(400000); }, [] {}}};
-  const std::vector<Timing> t = time_in_turns(tasks, {});
-  EXPECT_NEAR(t[1].quiet / t[0].quiet, 2, 0.3);
-  for (const Timing& x : t) {
-    EXPECT_GE(x.samples, 3u);
-    EXPECT_LE(x.best, x.median);
+  const std::vector<Samples> samples = sample_in_turns(tasks, {});
+  const Timing once = summary(samples[0]), twice = summary(samples[1]);
+  EXPECT_NEAR(twice.quiet / once.quiet, 2, 0.3);
+  for (const Timing& t : {once, twice}) {
+    EXPECT_EQ(t.samples, 60u);
+    EXPECT_LE(t.best, t.quiet);
+    EXPECT_LE(t.quiet, t.median);
   }
+}
+
+TEST(Timing, SlowTasksSitRoundsOut) {
+  int slow_runs = 0;
+  const std::vector<Task> tasks = {{[] {
+                                      const double start = thread_seconds();
+                                      while (thread_seconds() < start + 0.02) {
+                                      }
+                                    },
+                                    [&] { ++slow_runs; }}};
+  EXPECT_EQ(sample_in_turns(tasks, {.repeats = 60, .budget = 0.01})[0].size(), 3u);
+  EXPECT_EQ(slow_runs, 4) << "and one to warm up";
+  EXPECT_EQ(sample_in_turns(tasks, {.repeats = 2, .budget = 0.01})[0].size(), 2u);
+}
+
+TEST(Timing, TakesTheFastestQuarter) {
+  const Timing t = summary({8, 1, 3, 7, 5, 6, 4, 2});
+  EXPECT_EQ(t.quiet, 1.5);
+  EXPECT_EQ(t.median, 4.5);
+  EXPECT_EQ(t.best, 1);
+  EXPECT_EQ(summary({3}).quiet, 3);
 }
 
 // Sleep takes no processor time.
