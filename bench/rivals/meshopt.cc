@@ -162,7 +162,9 @@ std::vector<CodecEntry> meshopt_codecs() {
 
 std::string meshopt_version() {
   const int v = MESHOPTIMIZER_VERSION;
-  return std::to_string(v / 1000) + "." + std::to_string(v / 10 % 100);
+  const std::string package = CLERS_BENCH_MESHOPTIMIZER_PACKAGE;
+  return std::to_string(v / 1000) + "." + std::to_string(v / 10 % 100) +
+         (package.empty() ? "" : " (the distribution's " + package + ")");
 }
 
 }  // namespace clers::bench

@@ -142,7 +142,9 @@ std::vector<CodecEntry> openctm_codecs() {
 }
 
 std::string openctm_version() {
-  return CLERS_BENCH_OPENCTM_VERSION;
+  const std::string package = CLERS_BENCH_OPENCTM_PACKAGE;
+  const std::string release = package.substr(0, package.find('+'));
+  return package.empty() ? "of unknown release" : release + " (the distribution's " + package + ")";
 }
 
 }  // namespace clers::bench
