@@ -34,7 +34,7 @@ Without a mesh: the folder $CLERS_CORPUS, else what scripts/fetch-corpus brought
   --codecs LIST     names or beginnings of names: clers, draco, draco-cl7, ... (default: all)
   --filter TEXT     only meshes whose name contains TEXT
   --repeats N       samples of each encode and decode (default 60)
-  --min-time S      seconds a sample lasts at least; short runs are repeated (default 0.0001)
+  --min-time S      seconds a sample lasts at least; short runs are repeated (default 0.00002)
   --budget S        seconds for one codec's encodes or decodes of one mesh; slow ones get
                     fewer samples, three at least (default 1)
   --passes N        the samples are taken in N passes over all meshes (default 3)

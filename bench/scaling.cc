@@ -92,7 +92,7 @@ struct Arguments {
   double max = 1e7;
   std::vector<std::string> codecs = {"clers-1", "clers-5", "draco-standard", "draco-valence"};
   std::string shape, json;
-  Sampling sampling{9, 1e-4, 2};
+  Sampling sampling{9, 2e-5, 2};
 };
 
 // Slope of log time over log triangles by least squares; time is the cost times the triangles.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 
 namespace clers::bench {
@@ -17,6 +18,25 @@ double clock_cost() {
     best = std::min(best, thread_seconds() - start);
   }
   return best;
+}
+
+// Makes the branch predictor forget what it learnt from the run before, by branches that cannot be
+// predicted. A decoder of 20 000 triangles that runs again on the same bytes, or after another one
+// of the same letters, is up to 30 % faster: who decodes a mesh once never sees that.
+void forget_branches() {
+  static std::uint64_t random = 1;
+  static volatile std::uint32_t paths[4];
+  for (int i = 0; i < 1 << 15; ++i) {
+    random = random * 6364136223846793005u + 1442695040888963407u;
+    const auto bits = static_cast<std::uint32_t>(random >> 60);
+    if (bits & 1) paths[0] = paths[0] + 1;
+    if (bits & 2) paths[1] = paths[1] + 3;
+    if (bits & 4) {
+      paths[2] = paths[2] + 5;
+    } else {
+      paths[3] = paths[3] + 7;
+    }
+  }
 }
 
 double run_once(const Task& task, double overhead) {
@@ -50,6 +70,7 @@ std::vector<Samples> sample_in_turns(const std::vector<Task>& tasks, const Sampl
   }
   std::vector<Samples> samples(tasks.size());
   const auto sample = [&](std::size_t i) {
+    forget_branches();
     double sum = 0;
     for (int r = 0; r < paces[i].runs; ++r) sum += run_once(tasks[i], overhead);
     samples[i].push_back(sum / paces[i].runs);

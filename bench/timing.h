@@ -19,7 +19,7 @@ struct Task {
 
 struct Sampling {
   int repeats = 60;          ///< rounds: samples wanted of each task
-  double min_sample = 1e-4;  ///< seconds: shorter runs are repeated within a sample
+  double min_sample = 2e-5;  ///< seconds: shorter runs are repeated within a sample
   double budget = 1;         ///< seconds for one task; a slow one sits rounds out
   int least = 3;             ///< samples that a slow task gets nevertheless
 };
