@@ -6,6 +6,7 @@
 #include <benchmark/benchmark.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 
@@ -14,6 +15,7 @@
 #include "codec/connectivity.h"
 #include "codec/decode.h"
 #include "codec/encode.h"
+#include "codec/prediction.h"
 #include "codec/rans.h"
 #include "codec/symbol_model.h"
 #include "corpus/generate.h"
@@ -22,6 +24,10 @@ namespace clers {
 namespace {
 
 enum Shape { regular, irregular };
+
+void shapes(benchmark::internal::Benchmark* b) {
+  b->ArgName("irregular")->Arg(regular)->Arg(irregular);
+}
 
 const Mesh& mesh_of(benchmark::State& state) {
   static const Mesh meshes[] = {
@@ -63,7 +69,7 @@ void adjacency(benchmark::State& state) {
     benchmark::DoNotOptimize(must(find_twins({mesh.corners, mesh.face_sizes}, mesh.vertex_count)));
   count_items(state, mesh.face_count());
 }
-BENCHMARK(adjacency)->Arg(regular)->Arg(irregular);
+BENCHMARK(adjacency)->Apply(shapes);
 
 // Unbuilding by detach and unglue, until every triangle has its letter.
 void traversal(benchmark::State& state) {
@@ -76,7 +82,7 @@ void traversal(benchmark::State& state) {
   }
   count_items(state, s.twins.size() / 3);
 }
-BENCHMARK(traversal)->Arg(regular)->Arg(irregular);
+BENCHMARK(traversal)->Apply(shapes);
 
 // Traversal, building again for the contexts, choice of model, coding.
 void connectivity_encode(benchmark::State& state) {
@@ -84,7 +90,7 @@ void connectivity_encode(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(encoded(s));
   count_items(state, s.twins.size() / 3);
 }
-BENCHMARK(connectivity_encode)->Arg(regular)->Arg(irregular);
+BENCHMARK(connectivity_encode)->Apply(shapes);
 
 void connectivity_decode(benchmark::State& state) {
   const std::vector<std::byte> bytes = encoded(Surface(mesh_of(state))).bytes;
@@ -96,7 +102,7 @@ void connectivity_decode(benchmark::State& state) {
   }
   count_items(state, mesh_of(state).face_count());
 }
-BENCHMARK(connectivity_decode)->Arg(regular)->Arg(irregular);
+BENCHMARK(connectivity_decode)->Apply(shapes);
 
 // Letters in the order and with the valences in which a decoder meets them are not to be had from
 // outside; half C at one valence, the rest spread, costs the model as much.
@@ -149,6 +155,27 @@ void symbol_decode(benchmark::State& state) {
 }
 BENCHMARK(symbol_decode);
 
+// The parallelogram rule alone, on a mesh in the codec's order.
+void prediction(benchmark::State& state) {
+  const Mesh mesh = must(decode(must(encode({&mesh_of(state), 1})).bytes)).at(0);
+  std::vector<std::uint32_t> keys(3 * std::size_t(mesh.vertex_count));
+  std::memcpy(keys.data(), mesh.position()->data.data(), 4 * keys.size());
+  std::transform(keys.begin(), keys.end(), keys.begin(), to_ordered<std::uint32_t>);
+  std::vector<std::uint32_t> residuals(keys.size());
+  for (auto _ : state) {
+    for_each_vertex(mesh.corners, mesh.vertex_count, [&](std::uint32_t v, const Guess& g) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto of = [&](std::uint32_t u) { return keys[3 * std::size_t(u) + k]; };
+        residuals[3 * std::size_t(v) + k] = zigzag(of(v) - (of(g.a) + of(g.b) - of(g.c)));
+      }
+    });
+    benchmark::DoNotOptimize(residuals.data());
+    benchmark::ClobberMemory();
+  }
+  count_items(state, mesh.face_count());
+}
+BENCHMARK(prediction)->Apply(shapes);
+
 // Prediction of positions, the split into planes of bytes, and zstd behind them.
 void position_encode(benchmark::State& state) {
   const Mesh& mesh = mesh_of(state);
@@ -157,7 +184,7 @@ void position_encode(benchmark::State& state) {
         must(encode_attribute(mesh.attributes[0], mesh.corners, default_level)));
   count_items(state, mesh.face_count());
 }
-BENCHMARK(position_encode)->Arg(regular)->Arg(irregular);
+BENCHMARK(position_encode)->Apply(shapes);
 
 void position_decode(benchmark::State& state) {
   const Mesh& mesh = mesh_of(state);
@@ -167,7 +194,7 @@ void position_decode(benchmark::State& state) {
                                                    mesh.vertex_count, mesh.corners)));
   count_items(state, mesh.face_count());
 }
-BENCHMARK(position_decode)->Arg(regular)->Arg(irregular);
+BENCHMARK(position_decode)->Apply(shapes);
 
 void checksum(benchmark::State& state) {
   const std::vector<std::byte> bytes(1 << 20);
@@ -181,7 +208,7 @@ void whole_encode(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(must(encode({&mesh, 1})));
   count_items(state, mesh.face_count());
 }
-BENCHMARK(whole_encode)->Arg(regular)->Arg(irregular);
+BENCHMARK(whole_encode)->Apply(shapes);
 
 void whole_decode(benchmark::State& state) {
   const Mesh& mesh = mesh_of(state);
@@ -189,7 +216,7 @@ void whole_decode(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(must(decode(bytes)));
   count_items(state, mesh.face_count());
 }
-BENCHMARK(whole_decode)->Arg(regular)->Arg(irregular);
+BENCHMARK(whole_decode)->Apply(shapes);
 
 }  // namespace
 }  // namespace clers

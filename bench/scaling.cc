@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <string>
 
 #include "bench/heap.h"
@@ -95,7 +96,8 @@ struct Arguments {
   Sampling sampling{9, 2e-5, 2};
 };
 
-// Slope of log time over log triangles by least squares; time is the cost times the triangles.
+// Slope of log time over log triangles by least squares; time is the cost times the triangles. Not
+// a number if there are fewer than two sizes to fit.
 double exponent(const std::vector<Point>& points, double Point::*cost) {
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
   for (const Point& p : points) {
@@ -104,7 +106,8 @@ double exponent(const std::vector<Point>& points, double Point::*cost) {
     n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
   }
   const double spread = n * sxx - sx * sx;
-  return spread > 0 ? (n * sxy - sx * sy) / spread : 0;
+  return n > 1 && spread > 0 ? (n * sxy - sx * sy) / spread
+                             : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::vector<CodecEntry> chosen_codecs(const std::vector<std::string>& names) {
@@ -182,11 +185,28 @@ std::vector<Fit> print(const std::vector<Point>& points, const std::vector<Codec
   for (std::size_t i = 0; i < entries.size(); ++i) {
     fits.push_back({points.front().shape, entries[i].name, points.back().triangles,
                     exponent(lines[i], &Point::encode_ns), exponent(lines[i], &Point::decode_ns)});
-    std::printf(" %8.3f %7.3f        ", fits.back().encode, fits.back().decode);
+    for (const auto& [width, slope] : {std::pair(8, fits.back().encode), {7, fits.back().decode}}) {
+      if (std::isnan(slope)) {
+        std::printf(" %*s", width, "-");
+      } else {
+        std::printf(" %*.3f", width, slope);
+      }
+    }
+    std::printf("        ");
   }
   std::printf("\n");
   std::fflush(stdout);
   return fits;
+}
+
+// JSON has no word for what is not a number.
+struct JsonNumber {
+  double value;
+};
+
+std::ostream& operator<<(std::ostream& out, JsonNumber n) {
+  if (std::isnan(n.value)) return out << "null";
+  return out << n.value;
 }
 
 void write_json(std::ostream& out, const std::vector<Point>& points, const std::vector<Fit>& fits) {
@@ -203,8 +223,8 @@ void write_json(std::ostream& out, const std::vector<Point>& points, const std::
   separator = "\n";
   for (const Fit& f : fits) {
     out << separator << "{\"shape\": \"" << f.shape << "\", \"codec\": \"" << f.codec
-        << "\", \"largest\": " << f.largest << ", \"encode_exponent\": " << f.encode
-        << ", \"decode_exponent\": " << f.decode << "}";
+        << "\", \"largest\": " << f.largest << ", \"encode_exponent\": " << JsonNumber{f.encode}
+        << ", \"decode_exponent\": " << JsonNumber{f.decode} << "}";
     separator = ",\n";
   }
   out << "]}\n";
