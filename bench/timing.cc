@@ -87,7 +87,8 @@ std::vector<Samples> sample_in_turns(const std::vector<Task>& tasks, const Sampl
 
 Timing summary(Samples s) {
   std::sort(s.begin(), s.end());
-  const std::size_t half = s.size() / 2, quarter = (s.size() + 3) / 4;
+  const std::size_t half = s.size() / 2;
+  const std::size_t quarter = std::min(s.size(), std::max<std::size_t>(3, s.size() / 4));
   Timing t;
   t.quiet = std::accumulate(s.begin(), s.begin() + std::ptrdiff_t(quarter), 0.0) / double(quarter);
   t.median = s.size() % 2 ? s[half] : 0.5 * (s[half - 1] + s[half]);

@@ -35,7 +35,7 @@ std::vector<Samples> sample_in_turns(const std::vector<Task>& tasks, const Sampl
 
 /// Seconds for one run.
 struct Timing {
-  double quiet = 0;  ///< mean of the fastest quarter of the samples: what speeds are made of
+  double quiet = 0;  ///< mean of the fastest quarter, three at least: what speeds are made of
   double median = 0, best = 0;
   std::size_t samples = 0;
 };
