@@ -314,6 +314,7 @@ std::vector<Result> measure_all(const Setting& setting, const Arguments& argumen
   for (Work& work : works)
     for (std::vector<Result>& rows : work.modes)
       std::move(rows.begin(), rows.end(), std::back_inserter(results));
+  if (results.empty()) throw std::runtime_error("no mesh was measured");
   return results;
 }
 

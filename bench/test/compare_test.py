@@ -92,6 +92,8 @@ def main():
 
         failing = subprocess.run([compare, "--modes", "q12", at], text=True, capture_output=True)
         check(failing.returncode == 2 and "no such mode" in failing.stderr, "a wrong mode is taken")
+        failing = subprocess.run([compare, at / "broken.obj"], text=True, capture_output=True)
+        check(failing.returncode == 1 and "left out" in failing.stderr, "a broken mesh is not told")
 
 
 main()
