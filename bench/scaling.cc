@@ -146,8 +146,9 @@ std::vector<Point> measure(const std::vector<Input>& inputs, const std::vector<C
                            const Sampling& sampling) {
   std::vector<std::unique_ptr<Codec>> codecs;
   std::vector<Task> encodes, decodes;
-  for (const Input& input : inputs) {
-    for (const CodecEntry& entry : entries) {
+  // Codec by codec: the smallest mesh of each follows a large one, and finds the caches as cold.
+  for (const CodecEntry& entry : entries) {
+    for (const Input& input : inputs) {
       codecs.push_back(entry.make());
       Codec* codec = codecs.back().get();
       codec->prepare(input, Mode::connectivity);
@@ -157,13 +158,15 @@ std::vector<Point> measure(const std::vector<Input>& inputs, const std::vector<C
   }
   const auto encode = sample_in_turns(encodes, sampling),
              decode = sample_in_turns(decodes, sampling);
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < codecs.size(); ++i) {
-    const Input& input = inputs[i / entries.size()];
-    const double n = double(input.triangle_count());
-    points.push_back({input.name, entries[i % entries.size()].name, input.triangle_count(),
-                      1e9 * summary(encode[i]).quiet / n, 1e9 * summary(decode[i]).quiet / n,
-                      8.0 * double(codecs[i]->bytes()) / n});
+  std::vector<Point> points;  // mesh by mesh, as tables have them
+  for (std::size_t m = 0; m < inputs.size(); ++m) {
+    const double n = double(inputs[m].triangle_count());
+    for (std::size_t e = 0; e < entries.size(); ++e) {
+      const std::size_t i = e * inputs.size() + m;
+      points.push_back({inputs[m].name, entries[e].name, inputs[m].triangle_count(),
+                        1e9 * summary(encode[i]).quiet / n, 1e9 * summary(decode[i]).quiet / n,
+                        8.0 * double(codecs[i]->bytes()) / n});
+    }
   }
   return points;
 }
