@@ -56,9 +56,6 @@ std::string describe(const Error& error);
 template <class T>
 using Expected = Result<T, Error>;
 
-/// Success without a value.
-struct Done {};
-
 inline Failure<Error> fail(ErrorCode code, std::string what) {
   return {Error{code, Place::nowhere, 0, std::move(what)}};
 }

@@ -10,6 +10,11 @@ const char* name(HandleCase kind) {
   return names[static_cast<unsigned>(kind)];
 }
 
+const char* name(StellarCase kind) {
+  constexpr const char* names[stellar_case_count] = {"interior_edge", "boundary_edge", "face"};
+  return names[static_cast<unsigned>(kind)];
+}
+
 Characteristic lambda(const OperatorCounts& c) {
   const std::int64_t in[7] = {c.create, c.join_components, c.split_curve, c.join_curves,
                               c.close,  c.perpendicular,   c.zip};

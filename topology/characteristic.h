@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "topology/handle_case.h"
+#include "topology/stellar_case.h"
 
 namespace clers {
 
@@ -51,9 +52,11 @@ struct Characteristic {
 };
 
 inline constexpr unsigned handle_case_count = 7;
+inline constexpr unsigned stellar_case_count = 3;
 
 /// The case's name, as in the enumeration.
 const char* name(HandleCase kind);
+const char* name(StellarCase kind);
 
 /// What create adds to the six counts; destroy subtracts it.
 inline constexpr Characteristic effect_of_create{3, 3, 1, 1, 0, 1};
@@ -65,6 +68,13 @@ constexpr Characteristic effect(HandleCase kind) {
       {-1, -1, 0, 0, 0, 0},   {-1, -1, 0, -2, 0, -1}, {-1, -1, 0, -2, 1, 0},
   };
   return table[static_cast<unsigned>(kind)];
+}
+
+/// What a split of this case adds to the six counts; the weld that undoes it subtracts the same. A
+/// flip adds nothing, and no stellar operator changes b, g and s: the topology stays.
+constexpr Characteristic effect(StellarCase kind) {
+  return kind == StellarCase::boundary_edge ? Characteristic{1, 2, 1, 0, 0, 0}
+                                            : Characteristic{1, 3, 2, 0, 0, 0};
 }
 
 /// How many operators of each kind build (+1 each) or unbuild (-1 each) something: coordinates in

@@ -3,17 +3,28 @@
 namespace clers {
 namespace {
 
-constexpr const char* precondition_names[precondition_count] = {
-    "live_face",      "live_half_edge",        "boundary_edge", "interior_edge",
-    "two_half_edges", "all_edges_on_boundary", "ids_left",
-};
-
-struct InvariantText {
+struct Text {
   const char* name;
   const char* element;
 };
 
-constexpr InvariantText invariant_texts[invariant_count] = {
+constexpr Text precondition_texts[precondition_count] = {
+    {"live_face", "face"},
+    {"live_half_edge", "half-edge"},
+    {"boundary_edge", "half-edge"},
+    {"interior_edge", "half-edge"},
+    {"two_half_edges", "half-edge"},
+    {"all_edges_on_boundary", "face"},
+    {"ids_left", "face"},
+    {"live_vertex", "vertex"},
+    {"two_faces", "half-edge"},
+    {"simple_star", "vertex"},
+    {"weld_degree", "vertex"},
+    {"link_condition", "half-edge"},
+    {"leave_one_vertex", "half-edge"},
+};
+
+constexpr Text invariant_texts[invariant_count] = {
     {"array_sizes", "size"},
     {"face_pool", "face"},
     {"vertex_pool", "vertex"},
@@ -42,18 +53,16 @@ constexpr InvariantText invariant_texts[invariant_count] = {
 }  // namespace
 
 const char* name(Precondition p) {
-  return precondition_names[static_cast<unsigned>(p)];
+  return precondition_texts[static_cast<unsigned>(p)].name;
 }
 const char* name(Invariant i) {
   return invariant_texts[static_cast<unsigned>(i)].name;
 }
 
 std::string describe(const Violation& v) {
-  const bool face = v.precondition == Precondition::live_face ||
-                    v.precondition == Precondition::all_edges_on_boundary ||
-                    v.precondition == Precondition::ids_left;
   return std::string(name(v.precondition)) + " does not hold at " +
-         (face ? "face " : "half-edge ") + std::to_string(v.element);
+         precondition_texts[static_cast<unsigned>(v.precondition)].element + " " +
+         std::to_string(v.element);
 }
 
 std::string describe(const Fault& f) {

@@ -12,14 +12,21 @@ enum class Precondition : std::uint8_t {
   live_face,              ///< the face exists
   live_half_edge,         ///< the half-edge is one of a face that exists
   boundary_edge,          ///< the edge is on the boundary (glue, attach)
-  interior_edge,          ///< the edge is not on the boundary (unglue)
+  interior_edge,          ///< the edge is not on the boundary (unglue, flip)
   two_half_edges,         ///< a half-edge is not glued to itself
   all_edges_on_boundary,  ///< no edge of the face is glued (destroy)
   ids_left,               ///< fewer than max_faces faces
+  live_vertex,            ///< the vertex exists
+  two_faces,              ///< the edge lies between two different faces (flip, split)
+  simple_star,            ///< no face has two corners at the vertex (weld, remove)
+  weld_degree,            ///< the vertex has as many edges as a weld needs (weld, remove)
+  link_condition,         ///< the ends' links meet in the edge's link only (collapse)
+  leave_one_vertex,       ///< both half-edges leave one vertex (split_vertex)
 };
-inline constexpr unsigned precondition_count = 7;
+inline constexpr unsigned precondition_count = 13;
 
-/// A precondition that does not hold: which, and at which face or half-edge. Nothing was changed.
+/// A precondition that does not hold: which, and at which face, half-edge or vertex. Nothing was
+/// changed.
 struct Violation {
   Precondition precondition = Precondition::live_face;
   std::uint32_t element = 0;

@@ -43,6 +43,9 @@ class [[nodiscard]] Result {
   std::variant<T, E> state_;
 };
 
+/// Success without a value.
+struct Done {};
+
 }  // namespace clers
 
 #endif

@@ -62,6 +62,16 @@ Component Surface::new_component() {
   return k;
 }
 
+void Surface::free_face(Face f) {
+  for (HalfEdge h : star(f)) {
+    org_[h.index()] = Vertex();
+    twin_[h.index()] = HalfEdge();
+    rings_.clear(h);
+  }
+  component_[f.index()] = Component();
+  faces_.give(f);
+}
+
 void Surface::free_vertex(Vertex v) {
   star_[v.index()] = HalfEdge();
   corners_[v.index()] = 0;
@@ -127,12 +137,9 @@ Result<std::array<Point, 3>, Violation> Surface::destroy(Face f) {
     const HalfEdge h = half_edge(f, i);
     points[i] = point(org(h));
     free_vertex(org(h));
-    org_[h.index()] = Vertex();
-    rings_.clear(h);
   }
   free_component(component(f));
-  component_[f.index()] = Component();
-  faces_.give(f);
+  free_face(f);
   total_ -= effect_of_create;
   return points;
 }

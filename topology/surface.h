@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,13 @@
 #include "topology/ring.h"
 
 namespace clers {
+
+/// What a weld undid, and what splits it again.
+struct Welded {
+  StellarCase undone = StellarCase::face;
+  HalfEdge at;  ///< split(at, point) undoes the weld; of a face: split(left(at), point)
+  Point point;  ///< the vertex's
+};
 
 /// An oriented 2-manifold with boundary made of triangles, as the paper's handle-edge structure
 /// (Topological mesh operators, §6 and Appendix A) by index.
@@ -101,6 +109,11 @@ class Surface {
   std::uint32_t length(Curve c) const { return rings_.size(ring_[c.index()]); }
   /// Some half-edge on a curve.
   HalfEdge on_curve(Curve c) const { return ring_[c.index()]; }
+
+  /// Has every face at v only one corner there? Then no edge of the star is a loop. O(degree).
+  bool has_simple_star(Vertex v) const;
+  /// Is there a split that weld(h) would undo? O(1).
+  bool can_weld(HalfEdge h) const { return !refuse_weld(h); }
 
   Component component(Face f) const { return component_[f.index()]; }
 
@@ -202,6 +215,82 @@ class Surface {
   /// the id, with the curve at org(h) first; of a split one the part with h keeps it.
   Result<HandleCase, Violation> unglue(HalfEdge h);
 
+  // Stellar operators (§5.2, §6.3) ----------------------------------------------------------------
+  //
+  // They change how a surface is triangulated, never its topology. A star is replaced by another
+  // with the same rim; how the rim is glued, even to itself, does not matter. Faces keep their
+  // corners in an order that means something to hierarchies (Dynamic adaptive meshes, §5): in faces
+  // made by a split the new vertex is corner 0, so what opposes it is half-edge 1, an edge that was
+  // there before. Costs are O(1), as the paper says, but for the edges of the boundary that
+  // change their half-edge: O(log n) each.
+
+  /// Turns the edge between two triangles counterclockwise (Fig. 3 b):
+  ///
+  ///          c                   c           f: (a b c) at h  ->  (d c a)
+  ///         / \                 /|\          g: (b a d) at twin  ->  (c d b)
+  ///        / f \               / | \         .
+  ///       a --h-> b           a f|g b        h and its twin stay the two sides of the edge. The
+  ///       rim
+  ///        \ g /               \ ^ /         turns with it: c-a goes to lnext(h), a-d to lprev(h),
+  ///         \ /                 \h/          d-b to lnext(twin), b-c to lprev(twin).
+  ///          d                   d           .
+  ///
+  /// Preconditions: `live_half_edge`, `interior_edge`, `two_faces`. Effect on (v,e,f,b,g,s): none;
+  /// a and b lose a corner, c and d gain one. Inverse: flip(h), which leaves h running from b to a;
+  /// four flips leave every id and corner as it was. Cost: O(1).
+  /// Ids: all stay. The star half-edges of a and b, if they were the edge's, are the next ones.
+  Result<Done, Violation> flip(HalfEdge h);
+
+  /// Puts a vertex on an edge, and joins it to what opposes the edge (stellar subdivision, Fig. 4
+  /// and 5):
+  ///
+  ///          c                    c            f: (a b c) at h  ->  (v c a)    f': (v b c)
+  ///         / \                  /|\           g: (b a d) at twin -> (v d b)   g': (v a d)
+  ///        / f \                /f|f'\         .
+  ///       a --h-> b            a--v--b         On a boundary there is no g. The half-edges of f
+  ///        \ g /                \g'|g/         that ran a-b, b-c, c-a: a-v is half-edge 2 of f,
+  ///         \ /                  \|/           v-b 0 of f', b-c 1 of f', c-a 1 of f; likewise
+  ///          d                    d            those of g.
+  ///
+  /// Preconditions: `live_half_edge`; `two_faces` of an interior edge; `ids_left`. Effect:
+  /// (1,3,2,0,0,0), on a boundary (1,2,1,0,0,0). Inverse: weld of the vertex returned; it leaves
+  /// all as it was if the edge was half-edge 1 of its faces, else f and g with their corners
+  /// turned. Cost: O(1). Ids: all stay valid. An interior vertex's star half-edge leads to a, where
+  /// h began.
+  Result<Vertex, Violation> split(HalfEdge h, Point p);
+
+  /// Puts a vertex into a face and joins it to the corners (Fig. 3 a):
+  ///
+  ///          c                    c
+  ///         / \                  /|\           f: (a b c)  ->  (v a b)
+  ///        /   \                / | \          f': (v b c), f'': (v c a)
+  ///       /  f  \              /f''v f'\         .
+  ///      /       \            / _/ f \_ \      The half-edges a-b, b-c, c-a each are half-edge 1
+  ///     a ------- b          a ----------b     of their faces.
+  ///
+  /// Preconditions: `live_face`, `ids_left`. Effect: (1,3,2,0,0,0). Inverse: weld of the vertex
+  /// returned, which leaves all as it was. Cost: O(1). Ids: all stay valid. The vertex's star
+  /// half-edge leads to a.
+  Result<Vertex, Violation> split(Face f, Point p);
+
+  /// Takes the vertex that h leaves away, undoing the split that could have made it: of a face if
+  /// three edges meet there; of an interior edge if four do: that which runs from dest(h) straight
+  /// through the vertex; of a boundary edge if the vertex is on the boundary and has three edges.
+  ///
+  /// Read the figures of the splits backwards; h leads to a. Faces f and g stay, with the edge a-b
+  /// as half-edge 1 (of a boundary edge: f alone); of a face split f stays, with corner 0 at a.
+  ///
+  /// Preconditions: `live_half_edge`, `weld_degree`, `simple_star`. Effect: the negative of the
+  /// split's. Inverse: the split that Welded tells, which gives the vertex and faces the same ids
+  /// when it comes next. Cost: O(1). Ids: those of the vertex and of one or two faces are freed.
+  Result<Welded, Violation> weld(HalfEdge h);
+
+  /// weld(star_half_edge(v)): undoes the split that made v, unless flips have turned its star.
+  Result<Welded, Violation> weld(Vertex v) {
+    if (!is_live(v)) return Failure{Violation{Precondition::live_vertex, v.index()}};
+    return weld(star_half_edge(v));
+  }
+
   // Whole surfaces --------------------------------------------------------------------------------
 
   /// The surface with these arrays: org and twin by half-edge, points by vertex (empty: vertex i is
@@ -258,6 +347,7 @@ class Surface {
   Vertex new_vertex(HalfEdge star, std::uint32_t corners, Point p);
   void new_curve(HalfEdge tree) { name_curve(tree, curves_.take()); }
   Component new_component();
+  void free_face(Face f);
   void free_vertex(Vertex v);
   void free_curve(Curve c);
   void free_component(Component k);
@@ -272,6 +362,21 @@ class Surface {
   bool separate(HalfEdge h, HalfEdge t, Component whole);
   Characteristic count(std::span<const Face> part) const;
   void find_components();
+
+  /// A side of the rim of a star that is being replaced: which half-edge it was and will be.
+  struct RimSide {
+    HalfEdge from, to;
+  };
+  void rename_on_ring(HalfEdge from, HalfEdge to);
+  void turn_rings(std::span<const RimSide> rim);
+  void move_rim(std::span<const RimSide> rim);
+  void join(HalfEdge a, HalfEdge b) { twin_[a.index()] = b, twin_[b.index()] = a; }
+  void replace_star(HalfEdge gone, HalfEdge other);
+  Face split_off(HalfEdge h, Face fresh, Vertex v);
+  std::optional<Violation> refuse_weld(HalfEdge h) const;
+  Welded weld_interior_edge(HalfEdge h);
+  Welded weld_boundary_edge(Vertex v);
+  Welded weld_face(HalfEdge h);
 
   // By half-edge.
   std::vector<Vertex> org_;

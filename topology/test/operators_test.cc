@@ -2,19 +2,23 @@
 //
 // Short sequences: after every operator the oracle recounts everything, validate() is clean, what a
 // refused operator left is what was there, and the operator's inverse gives back an equivalent
-// surface. Long sequences: the oracle and validate() every so often, the Euler-Poincaré formula
-// always.
+// surface. Handle and stellar operators are mixed. What is composed of stellar ones is also judged
+// by what it should do to the triangles as triples of vertices. Long sequences: the oracle and
+// validate() every so often, the Euler-Poincaré formula always.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <optional>
+#include <set>
 
 #include "topology/derived.h"
 #include "topology/dump.h"
 #include "topology/equivalence.h"
+#include "topology/stellar.h"
 #include "topology/test/oracle.h"
 #include "topology/validate.h"
 
@@ -42,6 +46,9 @@ class Pair {
   const Surface& surface() const { return surface_; }
   const Oracle& oracle() const { return oracle_; }
   std::uint64_t glued(HandleCase kind) const { return glued_[static_cast<unsigned>(kind)]; }
+  std::uint64_t split(StellarCase kind) const { return split_[static_cast<unsigned>(kind)]; }
+  std::uint64_t welded(StellarCase kind) const { return welded_[static_cast<unsigned>(kind)]; }
+  std::uint64_t composed(unsigned which) const { return composed_[which]; }
   std::uint64_t done() const { return done_; }
   std::uint64_t refused() const { return refused_; }
 
@@ -49,8 +56,9 @@ class Pair {
   std::string step(const Op& op, std::uint32_t target_faces) {
     seed_ = (std::uint64_t{op.a} << 32) ^ (std::uint64_t{op.b} << 8) ^ op.choice;
     const bool crowded = surface_.characteristic().f > std::int64_t{target_faces};
+    if (op.kind >= 100) return stellar(op, crowded);
     // kind: a percentage
-    const unsigned kind = op.kind % 100;
+    const unsigned kind = op.kind;
     if (kind < 10 && !crowded) return create(op);
     if (kind < 15) return destroy(op);
     if (kind < 50) {
@@ -60,6 +68,18 @@ class Pair {
     if (kind < 65) return unglue(pick(false));
     if (kind < 90 && !crowded) return attach(pick(true), Point(op.b));
     return detach(op);
+  }
+
+  std::string stellar(const Op& op, bool crowded) {
+    const unsigned kind = (op.kind - 100u) % 78;  // in 78 parts, 255 - 100 being 155
+    if (kind < 18) return flip(pick(false));
+    if (kind < 30 && !crowded) return split_edge(pick(op.choice % 3 == 0), Point(op.b));
+    if (kind < 38 && !crowded) return split_face(left(pick(op.choice % 2 == 0)), Point(op.b));
+    if (kind < 56) return weld(op);
+    if (kind < 64) return remove(op);
+    if (kind < 72) return collapse(pick(op.choice % 3 == 0));
+    if (!crowded) return split_vertex(op);
+    return collapse(pick(op.choice % 3 == 0));
   }
 
   std::string check() const {
@@ -254,6 +274,321 @@ class Pair {
     return "";
   }
 
+  // Stellar operators ---------------------------------------------------------------------------
+
+  /// As many of some kind, half-edge by half-edge: not only equivalent, but of the same ids.
+  static bool identical(const Surface& a, const Surface& b) {
+    const std::uint32_t n = std::max(a.half_edge_limit(), b.half_edge_limit());
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const HalfEdge h(i);
+      if (a.is_live(h) != b.is_live(h)) return false;
+      if (a.is_live(h) && (a.org(h) != b.org(h) || a.sym(h) != b.sym(h))) return false;
+    }
+    for (const Vertex v : a.vertices())
+      if (a.point(v) != b.point(v)) return false;
+    return true;
+  }
+
+  std::string flip(HalfEdge h) {
+    const bool allowed =
+        surface_.is_live(h) && !surface_.is_boundary(h) && left(surface_.sym(h)) != left(h);
+    const std::string text = thorough_ ? dump(surface_) : "";
+    const std::optional<Surface> old = thorough_ ? std::optional(surface_) : std::nullopt;
+    const auto done = surface_.flip(h);
+    if (done.ok() != allowed) return "flip misjudged";
+    if (!done) return refuse(text);
+    oracle_.flip(h.index());
+    ++done_, ++composed_[3];
+    if (old) {
+      if (surface_.characteristic() != old->characteristic()) return "flip changes counts";
+      Surface undone = surface_;
+      (void)undone.flip(h);
+      if (undone.org(h) != old->dest(h)) return "two flips do not turn the edge round";
+      if (auto wrong = compare(undone, *old, "flip does not undo flip"); !wrong.empty())
+        return wrong;
+      for (int i = 0; i < 2; ++i) (void)undone.flip(h);
+      if (!identical(undone, *old)) return "four flips change something";
+      return validate(undone).empty() ? "" : "four flips leave faults";
+    }
+    return "";
+  }
+
+  /// Welds what a split made, splits it again, and compares.
+  std::string unsplit(const Surface& old, Vertex v, StellarCase kind, bool exact) {
+    Surface undone = surface_;
+    const auto welded = undone.weld(v);
+    if (!welded || welded->undone != kind || welded->point != surface_.point(v))
+      return "weld does not name the split it undoes";
+    if (exact && !identical(undone, old)) return "weld does not give back every id";
+    if (auto wrong = compare(undone, old, "weld does not undo split"); !wrong.empty()) return wrong;
+    const auto again = kind == StellarCase::face ? undone.split(left(welded->at), welded->point)
+                                                 : undone.split(welded->at, welded->point);
+    if (!again || *again != v) return "the same split does not make the same vertex";
+    if (exact && !identical(undone, surface_)) return "split does not undo weld";
+    return compare(undone, surface_, "split does not undo weld");
+  }
+
+  std::string split_edge(HalfEdge h, Point p) {
+    const HalfEdge t = surface_.is_live(h) ? surface_.sym(h) : HalfEdge();
+    const bool allowed = surface_.is_live(h) && (!t || left(t) != left(h));
+    const std::string text = thorough_ ? dump(surface_) : "";
+    const std::optional<Surface> old = thorough_ ? std::optional(surface_) : std::nullopt;
+    const Characteristic before = surface_.characteristic();
+    const Vertex a = allowed ? surface_.org(h) : Vertex();
+    const auto v = surface_.split(h, p);
+    if (v.ok() != allowed) return "split of an edge misjudged";
+    if (!v) return refuse(text);
+    const StellarCase kind = t ? StellarCase::interior_edge : StellarCase::boundary_edge;
+    ++done_, ++split_[static_cast<unsigned>(kind)];
+    const HalfEdge new_f = surface_.sym(half_edge(left(h), 0));
+    const HalfEdge new_g = t ? surface_.sym(half_edge(left(t), 0)) : HalfEdge();
+    oracle_.split_edge(h.index(), left(new_f).index(), t ? left(new_g).index() : 0);
+    if (surface_.characteristic() != before + effect(kind)) return "wrong effect of split";
+    if (surface_.point(*v) != p) return "the new vertex is on another point";
+    for (const HalfEdge x : surface_.fan(*v))
+      if (corner(x) != 0) return "the new vertex is not corner 0";
+    if (t && surface_.dest(surface_.star_half_edge(*v)) != a) return "the star leads elsewhere";
+    const bool exact = corner(h) == 1 && (!t || corner(t) == 1);
+    return old ? unsplit(*old, *v, kind, exact) : "";
+  }
+
+  std::string split_face(Face f, Point p) {
+    const bool allowed = surface_.is_live(f);
+    const std::string text = thorough_ ? dump(surface_) : "";
+    const std::optional<Surface> old = thorough_ ? std::optional(surface_) : std::nullopt;
+    const Characteristic before = surface_.characteristic();
+    const auto v = surface_.split(f, p);
+    if (v.ok() != allowed) return "split of a face misjudged";
+    if (!v) return refuse(text);
+    ++done_, ++split_[static_cast<unsigned>(StellarCase::face)];
+    const Face b = left(surface_.sym(half_edge(f, 2))), c = left(surface_.sym(half_edge(f, 0)));
+    oracle_.split_face(f.index(), b.index(), c.index());
+    if (surface_.characteristic() != before + effect(StellarCase::face))
+      return "wrong effect of split";
+    if (surface_.point(*v) != p) return "the new vertex is on another point";
+    return old ? unsplit(*old, *v, StellarCase::face, true) : "";
+  }
+
+  /// A half-edge that leaves a vertex of few edges, if there is one near.
+  HalfEdge pick_weldable() {
+    HalfEdge h;
+    for (int tries = 0; tries < 20; ++tries) {
+      h = HalfEdge(random(surface_.half_edge_limit() + 2));
+      if (!surface_.is_live(h)) continue;
+      const std::uint32_t degree = surface_.degree(surface_.org(h));
+      if (degree == 3 || degree == 4) return h;
+    }
+    return h;
+  }
+
+  bool simple_star(Vertex v) const {
+    std::set<Face> faces;
+    for (const HalfEdge h : surface_.fan(v)) faces.insert(left(h));
+    return faces.size() == surface_.corner_count(v);
+  }
+
+  std::string weld(const Op& op) {
+    HalfEdge h = pick_weldable();
+    const bool live = surface_.is_live(h);
+    const Vertex v = live ? surface_.org(h) : Vertex();
+    if (live && op.choice % 2 == 0) h = surface_.star_half_edge(v);
+    const std::uint32_t degree = live ? surface_.degree(v) : 0;
+    const bool boundary = live && surface_.is_boundary(v);
+    const bool allowed = (degree == 3 || (degree == 4 && !boundary)) && simple_star(v);
+    const std::string text = thorough_ ? dump(surface_) : "";
+    const std::optional<Surface> old = thorough_ ? std::optional(surface_) : std::nullopt;
+    const Characteristic before = surface_.characteristic();
+    const Vertex a = live ? surface_.dest(h) : Vertex();
+    const auto done = surface_.weld(h);
+    if (done.ok() != allowed) return "weld misjudged";
+    if (!done) return refuse(text);
+    const StellarCase kind = boundary      ? StellarCase::boundary_edge
+                             : degree == 4 ? StellarCase::interior_edge
+                                           : StellarCase::face;
+    if (done->undone != kind) return "weld took another case";
+    ++done_, ++welded_[static_cast<unsigned>(kind)];
+    oracle_.weld(h.index());
+    if (surface_.characteristic() != before - effect(kind)) return "wrong effect of weld";
+    if (!boundary && surface_.org(done->at) != a) return "the edge begins elsewhere";
+    if (old) {
+      if (surface_.is_live(v)) return "the welded vertex is alive";
+      Surface undone = surface_;
+      const auto again = kind == StellarCase::face ? undone.split(left(done->at), done->point)
+                                                   : undone.split(done->at, done->point);
+      if (!again || *again != v) return "split does not give the vertex back";
+      if (undone.point(v) != old->point(v)) return "the point was lost";
+      return compare(undone, *old, "split does not undo weld");
+    }
+    return "";
+  }
+
+  // Composed: judged by the triangles, as triples of vertices, the least of three rotations.
+  using Triple = std::array<Vertex, 3>;
+  using Triples = std::multiset<Triple>;
+  static Triple least(Triple t) {
+    const Triple once{t[1], t[2], t[0]}, twice{t[2], t[0], t[1]};
+    return std::min({t, once, twice});
+  }
+  template <class Rename>
+  static Triples triples(const Surface& s, Rename rename) {
+    Triples out;
+    for (const Face f : s.faces()) {
+      Triple t;
+      for (unsigned i = 0; i < 3; ++i) t[i] = rename(s.org(half_edge(f, i)));
+      out.insert(least(t));
+    }
+    return out;
+  }
+  static Triples triples(const Surface& s) {
+    return triples(s, [](Vertex v) { return v; });
+  }
+  static void erase(Triples& from, const Triple& t) {
+    if (const auto at = from.find(least(t)); at != from.end()) from.erase(at);
+  }
+
+  /// By sets of vertices, the boundary being one more: no other way to say what cannot be undone.
+  bool may_collapse(HalfEdge h) const {
+    const Surface& s = surface_;
+    const Vertex u = s.org(h), w = s.dest(h), beyond;
+    if (u == w) return false;
+    const auto link = [&](Vertex v) {
+      std::multiset<Vertex> out;
+      for (const HalfEdge x : s.star(v)) out.insert(s.org(x) == v ? s.dest(x) : s.org(x));
+      if (s.is_boundary(v)) out.insert(beyond);
+      return out;
+    };
+    const std::multiset<Vertex> link_u = link(u), link_w = link(w);
+    std::multiset<Vertex> link_edge{s.org(lprev(h)), s.sym(h) ? s.org(lprev(s.sym(h))) : beyond};
+    if (*link_edge.begin() == *link_edge.rbegin()) return false;
+    if (link_u.count(u) != 0 || link_u.count(w) != 1) return false;
+    for (const Vertex x : link_u) {
+      if (x == w || link_w.count(x) == 0) continue;  // a loop of w may stay
+      if (link_edge.count(x) == 0) return false;
+      if (x != beyond && link_u.count(x) * link_w.count(x) > 1) return false;
+    }
+    // A common edge of the links: one face beyond, or the boundary.
+    for (const HalfEdge rim : s.link(u))
+      if (s.sym(rim) && s.org(lprev(s.sym(rim))) == w) return false;
+    return s.sym(h) || !s.is_boundary(lnext(h)) || !s.is_boundary(lprev(h));
+  }
+
+  std::string collapse(HalfEdge h) {
+    const bool allowed = surface_.is_live(h) && may_collapse(h);
+    const std::string text = thorough_ ? dump(surface_) : "";
+    const Characteristic before = surface_.characteristic();
+    Vertex u, w;
+    bool boundary = false;
+    Triples expected;
+    if (allowed) {
+      boundary = surface_.is_boundary(h);
+      u = surface_.org(h), w = surface_.dest(h);
+      if (surface_.is_boundary(u) && !surface_.is_boundary(w)) std::swap(u, w);
+      if (thorough_) {
+        expected = triples(surface_, [&](Vertex v) { return v == u ? w : v; });
+        for (const HalfEdge x : surface_.star(h)) erase(expected, {w, w, surface_.org(lprev(x))});
+      }
+    }
+    const auto kept = clers::collapse(surface_, h);
+    if (kept.ok() != allowed) return "collapse of " + std::to_string(h.index()) + " misjudged";
+    if (!kept) return refuse(text);
+    ++done_, ++composed_[0];
+    oracle_.adopt(surface_);
+    if (*kept != w || surface_.is_live(u)) return "collapse kept the wrong vertex";
+    const auto kind = boundary ? StellarCase::boundary_edge : StellarCase::interior_edge;
+    if (surface_.characteristic() != before - effect(kind)) return "wrong effect of collapse";
+    if (thorough_ && triples(surface_) != expected) return "collapse made other triangles";
+    return "";
+  }
+
+  std::string split_vertex(const Op& op) {
+    const HalfEdge from = pick(op.choice % 3 == 0);
+    HalfEdge to;
+    if (surface_.is_live(from) && op.choice % 4 != 0) {
+      to = from;
+      for (std::uint32_t i = random(4) + 1; i > 0 && to; --i) to = surface_.sym(lprev(to));
+    }
+    if (op.choice % 16 == 1) to = pick(false);
+    bool allowed = surface_.is_live(from) && (!to || surface_.is_live(to)) && from != to;
+    std::set<Face> given;
+    if (allowed) {
+      allowed = simple_star(surface_.org(from));
+      HalfEdge h = from;
+      do {
+        given.insert(left(h));
+        h = surface_.sym(lprev(h));
+      } while (h && h != to && h != from);
+      allowed = allowed && h == to;
+    }
+    const std::string text = thorough_ ? dump(surface_) : "";
+    const Characteristic before = surface_.characteristic();
+    const std::optional<Surface> old = thorough_ ? std::optional(surface_) : std::nullopt;
+    const auto edge = clers::split_vertex(surface_, from, to, Point(op.b));
+    if (edge.ok() != allowed) return "split_vertex misjudged";
+    if (!edge) return refuse(text);
+    ++done_, ++composed_[1];
+    oracle_.adopt(surface_);
+    const auto kind = to ? StellarCase::interior_edge : StellarCase::boundary_edge;
+    if (surface_.characteristic() != before + effect(kind)) return "wrong effect of split_vertex";
+    if (old) {
+      const Vertex u = surface_.org(*edge), w = surface_.dest(*edge);
+      if (u == w || old->is_live(u) != false || surface_.point(u) != Point(op.b))
+        return "split_vertex made another vertex";
+      Triples expected;
+      for (const Face f : old->faces()) {
+        Triple t;
+        for (unsigned i = 0; i < 3; ++i) {
+          t[i] = old->org(half_edge(f, i));
+          if (t[i] == w && given.count(f) != 0) t[i] = u;
+        }
+        expected.insert(least(t));
+      }
+      Triples made = triples(surface_);
+      for (const HalfEdge x : surface_.star(*edge))
+        erase(made, {surface_.org(x), surface_.dest(x), surface_.org(lprev(x))});
+      if (made != expected) return "split_vertex made other triangles";
+      Surface undone = surface_;
+      if (const auto kept = clers::collapse(undone, *edge)) {
+        if (*kept != w) return "collapse kept the wrong vertex";
+        if (triples(undone) != triples(*old)) return "collapse does not undo split_vertex";
+        return compare(undone, *old, "collapse does not undo split_vertex");
+      }
+    }
+    return "";
+  }
+
+  std::string remove(const Op& op) {
+    const HalfEdge h = pick(op.choice % 3 == 0);
+    const bool live = surface_.is_live(h);
+    const Vertex v = live ? surface_.org(h) : Vertex(surface_.vertex_limit() + 1);
+    const std::uint32_t degree = op.choice % 5 == 0 ? op.choice % 7 : 3 + op.choice % 2;
+    const bool boundary = live && surface_.is_boundary(v);
+    const bool allowed = live && simple_star(v) && (degree == 3 || (degree == 4 && !boundary)) &&
+                         surface_.degree(v) >= degree;
+    const std::string text = thorough_ ? dump(surface_) : "";
+    const Characteristic before = surface_.characteristic();
+    Triples kept;
+    if (thorough_) kept = triples(surface_);
+    if (thorough_ && live)
+      for (const HalfEdge x : surface_.fan(v))
+        erase(kept, {surface_.org(x), surface_.dest(x), surface_.org(lprev(x))});
+    const auto price = [&](const Surface& s, HalfEdge x) {
+      return (s.dest(x).index() * 2654435761u) ^ op.b;
+    };
+    const auto done = op.choice % 2 == 0 ? clers::remove(surface_, v, degree)
+                                         : clers::remove(surface_, v, degree, price);
+    if (done.ok() != allowed) return "remove misjudged";
+    if (!done) return refuse(text);
+    ++done_, ++composed_[2];
+    oracle_.adopt(surface_);
+    if (surface_.characteristic() != before - effect(done->undone)) return "wrong effect of remove";
+    if (surface_.is_live(v)) return "the removed vertex is alive";
+    if (!thorough_) return "";
+    const Triples now = triples(surface_);
+    if (!std::includes(now.begin(), now.end(), kept.begin(), kept.end()))
+      return "remove changed triangles elsewhere";
+    return "";
+  }
+
   static std::string compare(const Surface& a, const Surface& b, const char* wrong) {
     const auto map = equivalent(a, b);
     if (!map) return wrong;
@@ -272,6 +607,8 @@ class Pair {
   std::uint64_t seed_ = 0;
   HalfEdge first_;  // that of the glue under way
   std::uint64_t glued_[handle_case_count] = {};
+  std::uint64_t split_[stellar_case_count] = {}, welded_[stellar_case_count] = {};
+  std::uint64_t composed_[4] = {};        // collapse, split_vertex, remove, flip
   std::uint64_t done_ = 0, refused_ = 0;  // counting the parts of attach and detach
 };
 
@@ -323,18 +660,33 @@ std::vector<Op> sequence(int length) {
 /// What all the cases of a property did together.
 struct Tally {
   std::uint64_t done = 0, refused = 0, kinds[handle_case_count] = {};
+  std::uint64_t splits[stellar_case_count] = {}, welds[stellar_case_count] = {}, composed[4] = {};
 
   void add(const Pair& pair) {
     done += pair.done();
     refused += pair.refused();
     for (unsigned i = 0; i < handle_case_count; ++i) kinds[i] += pair.glued(HandleCase(i));
+    for (unsigned i = 0; i < stellar_case_count; ++i) {
+      splits[i] += pair.split(StellarCase(i));
+      welds[i] += pair.welded(StellarCase(i));
+    }
+    for (unsigned i = 0; i < 4; ++i) composed[i] += pair.composed(i);
   }
 
   void expect_all_cases() const {
-    for (unsigned i = 0; i < handle_case_count; ++i) {
-      std::printf("%-26s %llu\n", name(HandleCase(i)), static_cast<unsigned long long>(kinds[i]));
-      EXPECT_GT(kinds[i], 0u) << name(HandleCase(i)) << " never happened";
+    const auto expect = [](const std::string& what, std::uint64_t count) {
+      std::printf("%-26s %llu\n", what.c_str(), static_cast<unsigned long long>(count));
+      EXPECT_GT(count, 0u) << what << " never happened";
+    };
+    for (unsigned i = 0; i < handle_case_count; ++i) expect(name(HandleCase(i)), kinds[i]);
+    for (unsigned i = 0; i < stellar_case_count; ++i) {
+      expect(std::string("split ") + name(StellarCase(i)), splits[i]);
+      expect(std::string("weld ") + name(StellarCase(i)), welds[i]);
     }
+    expect("collapse", composed[0]);
+    expect("split_vertex", composed[1]);
+    expect("remove", composed[2]);
+    expect("flip", composed[3]);
     std::printf("operators done %llu, refused %llu\n", static_cast<unsigned long long>(done),
                 static_cast<unsigned long long>(refused));
     EXPECT_GT(refused, 0u);

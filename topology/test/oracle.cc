@@ -59,6 +59,95 @@ void Oracle::unglue(std::uint32_t h) {
   mate_[h] = -1;
 }
 
+/// The faces' other half-edges lose their mates; those of the rim move, `inside` are glued.
+void Oracle::replace(const Pairs& rim, const Pairs& inside, const std::vector<std::uint32_t>& born,
+                     const std::vector<std::uint32_t>& die) {
+  std::map<std::uint32_t, std::uint32_t> goes(rim.begin(), rim.end());
+  Pairs glued = inside;
+  for (const auto& [from, to] : rim) {
+    if (mate_[from] < 0) continue;
+    const auto other = goes.find(mate(from));
+    glued.emplace_back(to, other == goes.end() ? mate(from) : other->second);
+  }
+  for (const std::uint32_t f : born) create(f);
+  for (const auto& [from, to] : rim) mate_[from] = -1;
+  for (const auto& [from, to] : rim) mate_[to] = -1;
+  for (const auto& [a, b] : inside) mate_[a] = mate_[b] = -1;
+  for (const auto& [a, b] : glued) glue(a, b);
+  for (const std::uint32_t f : die) {
+    create(f);
+    destroy(f);
+  }
+}
+
+void Oracle::flip(std::uint32_t h) {
+  const std::uint32_t t = mate(h), n = around(h), p = around(n), tn = around(t), tp = around(tn);
+  replace({{p, n}, {tn, p}, {tp, tn}, {n, tp}}, {{h, t}}, {}, {});
+}
+
+void Oracle::split_edge(std::uint32_t h, std::uint32_t born_f, std::uint32_t born_g) {
+  const std::uint32_t f = h / 3 * 3, f2 = 3 * born_f;
+  const bool inside = mate_[h] >= 0;
+  Pairs rim{{around(h), f2 + 1}, {around(around(h)), f + 1}};
+  Pairs glued{{f, f2 + 2}};
+  std::vector<std::uint32_t> born{born_f};
+  if (inside) {
+    const std::uint32_t t = mate(h), g = t / 3 * 3, g2 = 3 * born_g;
+    rim.insert(rim.end(), {{around(t), g2 + 1}, {around(around(t)), g + 1}});
+    glued.insert(glued.end(), {{g, g2 + 2}, {f + 2, g2}, {g + 2, f2}});
+    born.push_back(born_g);
+  } else {
+    rim.emplace_back(h, f + 2);
+  }
+  replace(rim, glued, born, {});
+}
+
+void Oracle::split_face(std::uint32_t f, std::uint32_t born_b, std::uint32_t born_c) {
+  const std::uint32_t a = 3 * f, b = 3 * born_b, c = 3 * born_c;
+  replace({{a, a + 1}, {a + 1, b + 1}, {a + 2, c + 1}}, {{a + 2, b}, {b + 2, c}, {c + 2, a}},
+          {born_b, born_c}, {});
+}
+
+void Oracle::weld(std::uint32_t h) {
+  // All half-edges that leave the vertex, from h on, or from the boundary on.
+  const auto before = [&](std::uint32_t x) { return mate_[x] < 0 ? -1 : mate_[x]; };
+  std::uint32_t first = h;
+  for (std::int64_t x = h; (x = before(static_cast<std::uint32_t>(x))) >= 0;) {
+    x = around(static_cast<std::uint32_t>(x));
+    first = static_cast<std::uint32_t>(x);
+    if (first == h) break;
+  }
+  std::vector<std::uint32_t> from_v{first};
+  for (;;) {
+    const std::uint32_t side = around(around(from_v.back()));
+    if (mate_[side] < 0 || mate(side) == first) break;
+    from_v.push_back(mate(side));
+  }
+  const auto rim = [&](std::size_t i) { return around(from_v[i]); };
+  const auto corner0 = [&](std::size_t i) { return from_v[i] / 3 * 3; };
+  if (from_v.size() == 2) {
+    const std::uint32_t f = corner0(1);
+    replace({{rim(1), f}, {around(rim(1)), f + 1}, {rim(0), f + 2}}, {}, {}, {from_v[0] / 3});
+  } else if (from_v.size() == 3) {
+    const std::uint32_t f = corner0(0);
+    replace({{rim(0), f}, {rim(1), f + 1}, {rim(2), f + 2}}, {}, {},
+            {from_v[2] / 3, from_v[1] / 3});
+  } else {
+    const std::uint32_t f = corner0(3), g = corner0(1);
+    replace({{rim(3), f}, {rim(2), f + 2}, {rim(1), g}, {rim(0), g + 2}}, {{f + 1, g + 1}}, {},
+            {from_v[0] / 3, from_v[2] / 3});
+  }
+}
+
+void Oracle::adopt(const Surface& s) {
+  alive_.assign(s.face_limit(), false);
+  mate_.assign(s.half_edge_limit(), -1);
+  for (std::uint32_t h = 0; h < mate_.size(); ++h) {
+    alive_[h / 3] = s.is_live(Face(h / 3));
+    if (s.twins()[h]) mate_[h] = s.twins()[h].index();
+  }
+}
+
 Oracle::Account Oracle::recount() const {
   const std::size_t n = mate_.size();
   Sets corners(n), faces(alive_.size());
