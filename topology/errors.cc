@@ -22,6 +22,8 @@ constexpr Text precondition_texts[precondition_count] = {
     {"weld_degree", "vertex"},
     {"link_condition", "half-edge"},
     {"leave_one_vertex", "half-edge"},
+    {"one_sharp_edge", "face"},
+    {"tri_quad", "half-edge"},
 };
 
 constexpr Text invariant_texts[invariant_count] = {

@@ -4,11 +4,6 @@
 namespace clers {
 namespace {
 
-/// The other end of an edge of v's star.
-Vertex far_end(const Surface& s, Vertex v, HalfEdge edge) {
-  return s.org(edge) == v ? s.dest(edge) : s.org(edge);
-}
-
 bool same_edge(const Surface& s, HalfEdge a, HalfEdge b) {
   return a == b || (s.sym(a) && s.sym(a) == b);
 }
@@ -16,7 +11,7 @@ bool same_edge(const Surface& s, HalfEdge a, HalfEdge b) {
 bool adjacent(const Surface& s, Vertex a, Vertex b) {
   if (s.degree(b) < s.degree(a)) std::swap(a, b);
   for (const HalfEdge h : s.star(a))
-    if (far_end(s, a, h) == b) return true;
+    if (s.other_end(h, a) == b) return true;
   return false;
 }
 
@@ -35,10 +30,10 @@ bool link_condition(const Surface& s, HalfEdge h) {
   }
   for (const HalfEdge p : s.star(u)) {
     if (same_edge(s, p, h)) continue;
-    const Vertex x = far_end(s, u, p);
+    const Vertex x = s.other_end(p, u);
     if (x == u || x == w) return false;
     for (const HalfEdge q : s.star(w)) {
-      if (far_end(s, w, q) != x) continue;
+      if (s.other_end(q, w) != x) continue;
       const bool beside_h = same_edge(s, p, lprev(h)) && same_edge(s, q, lnext(h));
       const bool beside_t = t && same_edge(s, p, lnext(t)) && same_edge(s, q, lprev(t));
       if (!beside_h && !beside_t) return false;

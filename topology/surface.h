@@ -89,6 +89,8 @@ class Surface {
            is_boundary(half_edge(f, 2));
   }
 
+  /// The end of the edge that v, one of its ends, is not; v of a loop.
+  Vertex other_end(HalfEdge h, Vertex v) const { return org(h) == v ? dest(h) : org(h); }
   /// Edge ends at the vertex: a loop edge counts twice.
   std::uint32_t degree(Vertex v) const { return corners_[v.index()] + (is_boundary(v) ? 1u : 0u); }
   /// Corners of triangles at the vertex.

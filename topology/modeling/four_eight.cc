@@ -1,0 +1,67 @@
+#include "topology/modeling/four_eight.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace clers {
+
+bool is_split_edge(const Surface& surface, HalfEdge h) {
+  return corner(h) == 1 && (surface.is_boundary(h) || corner(surface.sym(h)) == 1);
+}
+
+Result<Done, Violation> check_tri_quad(const Surface& surface) {
+  for (const Face f : surface.faces()) {
+    const HalfEdge h = half_edge(f, 1);
+    if (!is_split_edge(surface, h)) return Failure{Violation{Precondition::tri_quad, h.index()}};
+  }
+  return Done{};
+}
+
+std::vector<HalfEdge> pair_faces(const Surface& surface, const Creases& creases,
+                                 std::span<const HalfEdge> edges, std::span<const double> lengths) {
+  std::vector<std::uint32_t> order(edges.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return lengths[a] > lengths[b]; });
+  std::vector<bool> taken(surface.face_limit());
+  std::vector<HalfEdge> pairs;
+  for (const std::uint32_t i : order) {
+    const HalfEdge h = edges[i];
+    if (creases.is_sharp(surface, h)) continue;
+    const Face f = left(h), g = left(surface.sym(h));
+    if (f == g || taken[f.index()] || taken[g.index()]) continue;
+    taken[f.index()] = taken[g.index()] = true;
+    pairs.push_back(h);
+  }
+  return pairs;
+}
+
+void four_eight_vertex_mask(const Surface& surface, const Creases& creases, Vertex v,
+                            std::vector<Term>& mask) {
+  mask.clear();
+  const SharpEdges sharp = sharp_edges(surface, creases, v);
+  if (sharp.smooth()) {
+    mask.push_back({v, 0.5});
+    for (const HalfEdge h : surface.star(v))
+      if (!is_split_edge(surface, h)) mask.push_back({surface.other_end(h, v), 0});
+    for (std::size_t i = 1; i < mask.size(); ++i)
+      mask[i].weight = 0.5 / static_cast<double>(mask.size() - 1);
+  } else if (sharp.curve() && is_split_edge(surface, sharp.edges[0]) &&
+             is_split_edge(surface, sharp.edges[1])) {
+    mask = {{v, 0.75}, {sharp.ends[0], 0.125}, {sharp.ends[1], 0.125}};
+  } else {
+    mask = {{v, 1}};
+  }
+}
+
+void four_eight_edge_mask(const Surface& surface, const Creases& creases, HalfEdge h,
+                          std::vector<Term>& mask) {
+  mask.clear();
+  const bool sharp = creases.is_sharp(surface, h);
+  for (const Vertex end : {surface.org(h), surface.dest(h)})
+    mask.push_back({end, sharp ? 0.5 : 0.25});
+  if (sharp) return;
+  for (const HalfEdge opposite : surface.link(h)) mask.push_back({surface.org(opposite), 0.25});
+}
+
+}  // namespace clers

@@ -1,0 +1,111 @@
+// 4-8 subdivision by edge splits alone, on tri-quad meshes (Velho and Zorin 2001; Dynamic adaptive
+// meshes, §3 and §5).
+#ifndef CLERS_TOPOLOGY_MODELING_FOUR_EIGHT_H
+#define CLERS_TOPOLOGY_MODELING_FOUR_EIGHT_H
+
+#include <span>
+#include <vector>
+
+#include "topology/modeling/creases.h"
+#include "topology/modeling/geometry.h"
+
+namespace clers {
+
+/// A tri-quad mesh is made of blocks: two faces and the edge between them, the split edge, that is
+/// half-edge 1 on both sides; a face whose half-edge 1 is on the boundary is half a block.
+/// Numbering says it all, and the split of an edge keeps it so (surface.h): the paper's vertex 0,
+/// the weld vertex, is our corner 0, and its edge 0, which is opposite, our half-edge 1.
+bool is_split_edge(const Surface& surface, HalfEdge h);
+/// The first edge that keeps the surface from being a tri-quad mesh: `tri_quad`.
+Result<Done, Violation> check_tri_quad(const Surface& surface);
+
+/// Pairs of faces, over the longest edges first, that share no face: the clusters of Program 5.
+/// Sharp edges lie between no pair. `lengths` by edge of `edges`; equal ones in the order of edges.
+std::vector<HalfEdge> pair_faces(const Surface& surface, const Creases& creases,
+                                 std::span<const HalfEdge> edges, std::span<const double> lengths);
+
+/// Makes any surface a tri-quad mesh (Program 5): splits the edge of every pair, and every face
+/// left over, so that all old edges, but those between pairs, are split edges. New vertices are
+/// amid the ends or corners, on the null point. From F faces in p pairs it makes 3F - 2p.
+///
+/// `length(surface, h)`: a double. Preconditions: `ids_left`; the geometry has values of all
+/// vertices. Memory: as subdivide_4_8. Cost: O(F log F). Ids: all stay valid.
+template <class Geometry, class Length>
+Result<Done, Violation> make_tri_quad(Surface& surface, Geometry& geometry, Creases& creases,
+                                      Length&& length) {
+  if (surface.characteristic().f > std::int64_t{max_faces} / 3)
+    return Failure{Violation{Precondition::ids_left, max_faces}};
+  const std::vector<HalfEdge> edges = edges_of(surface);
+  std::vector<double> lengths;
+  lengths.reserve(edges.size());
+  for (const HalfEdge h : edges) lengths.push_back(length(surface, h));
+  const std::vector<HalfEdge> pairs = pair_faces(surface, creases, edges, lengths);
+
+  std::vector<Face> single;
+  std::vector<bool> paired(surface.face_limit());
+  for (const HalfEdge h : pairs)
+    paired[left(h).index()] = paired[left(surface.sym(h)).index()] = true;
+  for (const Face f : surface.faces())
+    if (!paired[f.index()]) single.push_back(f);
+  std::vector<Term> mask;
+  for (const HalfEdge h : pairs) {
+    mask = {{surface.org(h), 0.5}, {surface.dest(h), 0.5}};
+    auto value = geometry.combine(mask);
+    geometry.set(*creases.split(surface, h, Point()), std::move(value));
+  }
+  for (const Face f : single) {
+    mask.clear();
+    for (const HalfEdge h : surface.star(f)) mask.push_back({surface.org(h), 1. / 3});
+    auto value = geometry.combine(mask);
+    geometry.set(*creases.split(surface, f, Point()), std::move(value));
+  }
+  return Done{};
+}
+
+/// Where a vertex goes in a step: halfway to the mean of its neighbours along the edges of blocks.
+/// On a sharp curve, whose edges are split in every second step, it stays in the others, and goes
+/// to 3/4 and 1/8 for each neighbour on it; corners stay.
+void four_eight_vertex_mask(const Surface& surface, const Creases& creases, Vertex v,
+                            std::vector<Term>& mask);
+/// The vertex put on a split edge: the mean of its block's corners; of the ends if sharp.
+void four_eight_edge_mask(const Surface& surface, const Creases& creases, HalfEdge h,
+                          std::vector<Term>& mask);
+
+/// One step: splits all split edges. F faces become 2F; b, g and s stay; two steps halve every
+/// edge. Works on surfaces that are no simplicial complex, too.
+///
+/// Preconditions: `ids_left`; `tri_quad`; the geometry has values of all vertices. When memory runs
+/// out it throws std::bad_alloc: the surface is valid, but may be partly subdivided. Cost: O(F),
+/// and the degrees of vertices once. Ids: all stay valid. Inverse: welds of the new vertices, in
+/// any order, which are those at corner 0 of a face.
+template <class Geometry>
+Result<Done, Violation> subdivide_4_8(Surface& surface, Geometry& geometry, Creases& creases) {
+  if (surface.characteristic().f > std::int64_t{max_faces} / 2)
+    return Failure{Violation{Precondition::ids_left, max_faces}};
+  if (const auto ok = check_tri_quad(surface); !ok) return ok;
+  std::vector<Term> mask;
+  Moves<Geometry> moves;
+  moves.reserve(static_cast<std::size_t>(surface.characteristic().v));
+  for (const Vertex v : surface.vertices()) {
+    four_eight_vertex_mask(surface, creases, v, mask);
+    moves.add(v, geometry, mask);
+  }
+  // Blocks share no face: each is whole when its turn comes, and new values are no one's input.
+  std::vector<HalfEdge> edges;
+  edges.reserve(static_cast<std::size_t>(surface.characteristic().f));
+  for (const Face f : surface.faces()) {
+    const HalfEdge h = half_edge(f, 1);
+    if (surface.is_boundary(h) || h < surface.sym(h)) edges.push_back(h);
+  }
+  for (const HalfEdge h : edges) {
+    four_eight_edge_mask(surface, creases, h, mask);
+    auto value = geometry.combine(mask);
+    geometry.set(*creases.split(surface, h, Point()), std::move(value));
+  }
+  moves.set(geometry);
+  return Done{};
+}
+
+}  // namespace clers
+
+#endif

@@ -1,0 +1,135 @@
+#include "topology/modeling/loop.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace clers {
+namespace {
+
+double alpha(std::uint32_t n) {
+  const double t = 3 + 2 * std::cos(2 * std::numbers::pi / n);
+  return (40 - t * t) / 64;
+}
+
+/// What a half-edge is, while edges are being split: the number of an old edge, or one of these.
+constexpr std::uint32_t no_edge = ~0u;       ///< a half of an old edge, or between new vertices
+constexpr std::uint32_t to_flip = ~0u - 1u;  ///< from a new vertex to the old one that opposed it
+
+bool is_old(std::uint32_t number) {
+  return number < to_flip;
+}
+
+}  // namespace
+
+void loop_vertex_mask(const Surface& surface, const Creases& creases, Vertex v,
+                      std::vector<Term>& mask) {
+  mask.clear();
+  const SharpEdges sharp = sharp_edges(surface, creases, v);
+  if (sharp.smooth()) {
+    const std::uint32_t n = surface.degree(v);
+    const double a = alpha(n);
+    mask.push_back({v, 1 - a});
+    for (const HalfEdge h : surface.star(v)) mask.push_back({surface.other_end(h, v), a / n});
+  } else if (sharp.curve()) {
+    mask = {{v, 0.75}, {sharp.ends[0], 0.125}, {sharp.ends[1], 0.125}};
+  } else {
+    mask = {{v, 1}};
+  }
+}
+
+void loop_edge_mask(const Surface& surface, const Creases& creases, HalfEdge h,
+                    std::vector<Term>& mask) {
+  mask.clear();
+  const bool sharp = creases.is_sharp(surface, h);
+  for (const Vertex end : {surface.org(h), surface.dest(h)})
+    mask.push_back({end, sharp ? 0.5 : 0.375});
+  if (sharp) return;
+  for (const HalfEdge opposite : surface.link(h)) mask.push_back({surface.org(opposite), 0.125});
+}
+
+void loop_limit_mask(const Surface& surface, const Creases& creases, Vertex v,
+                     std::vector<Term>& mask) {
+  mask.clear();
+  const SharpEdges sharp = sharp_edges(surface, creases, v);
+  if (sharp.smooth()) {
+    const std::uint32_t n = surface.degree(v);
+    const double each = 1 / (n + 3 * n / (8 * alpha(n)));
+    mask.push_back({v, 1 - n * each});
+    for (const HalfEdge h : surface.star(v)) mask.push_back({surface.other_end(h, v), each});
+  } else if (sharp.curve()) {
+    mask = {{v, 2. / 3}, {sharp.ends[0], 1. / 6}, {sharp.ends[1], 1. / 6}};
+  } else {
+    mask = {{v, 1}};
+  }
+}
+
+Result<Done, Violation> loop_check(const Surface& surface) {
+  // A new face takes a free id first, so what counts is how many there are.
+  if (surface.characteristic().f > std::int64_t{max_faces} / 4)
+    return Failure{Violation{Precondition::ids_left, max_faces}};
+  for (const Face f : surface.faces())
+    for (const HalfEdge h : surface.star(f))
+      if (surface.sym(h) && left(surface.sym(h)) == f)
+        return Failure{Violation{Precondition::two_faces, h.index()}};
+  return Done{};
+}
+
+//           c                 c                 c                  c
+//          / \               /|\               /|\                / \        .
+//         /   \             / | \             / | 2              3---2
+//        /     \    ->     /  |  \     ->    /  |/ \     ->     / \ / \      The edges of a
+//       a ----- b         a - 1 - b         a - 1 - b          a - 1 - b     triangle are split in
+//                                                                            any order: that from
+// the first new vertex to the old one opposite is flipped when all are split.
+std::vector<Vertex> loop_refine(Surface& surface, Creases& creases,
+                                std::span<const HalfEdge> edges) {
+  const auto faces = static_cast<std::size_t>(surface.characteristic().f);
+  std::vector<std::uint32_t> number;
+  number.reserve(surface.half_edge_limit() + 9 * faces);
+  number.resize(surface.half_edge_limit(), no_edge);
+  const auto at = [&](HalfEdge h) -> std::uint32_t& { return number[h.index()]; };
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (const HalfEdge side : surface.star(edges[i])) at(side) = static_cast<std::uint32_t>(i);
+
+  std::vector<Vertex> made(edges.size());
+  std::vector<Face> pending;
+  pending.reserve(2 * faces);
+  for (const Face f : surface.faces()) pending.push_back(f);
+
+  const auto split = [&](HalfEdge h) {
+    struct Side {
+      HalfEdge h;
+      std::uint32_t next, prev;
+    };
+    std::array<Side, 2> sides;
+    std::size_t count = 0;
+    for (const HalfEdge side : surface.star(h))
+      sides[count++] = {side, at(lnext(side)), at(lprev(side))};
+    made[at(h)] = *creases.split(surface, h, Point());
+    number.resize(surface.half_edge_limit(), no_edge);
+    for (const Side& side : std::span(sides).first(count)) {
+      const Face f = left(side.h), fresh = left(surface.sym(half_edge(f, 0)));
+      const bool first = is_old(side.next) && is_old(side.prev);
+      at(half_edge(f, 0)) = at(half_edge(fresh, 2)) = first ? to_flip : no_edge;
+      at(half_edge(f, 1)) = side.prev;
+      at(half_edge(fresh, 1)) = side.next;
+      at(half_edge(f, 2)) = at(half_edge(fresh, 0)) = no_edge;
+      if (is_old(side.next)) pending.push_back(fresh);
+    }
+  };
+  for (std::size_t i = 0; i < pending.size(); ++i) {
+    const Face f = pending[i];
+    for (bool again = true; again;) {
+      again = false;
+      for (unsigned c = 0; c < 3 && !again; ++c)
+        if (is_old(at(half_edge(f, c)))) split(half_edge(f, c)), again = true;
+    }
+  }
+  // Of the four faces of a triangle two have such an edge, the same: flips do not disturb others.
+  for (std::uint32_t i = 0; i < number.size(); ++i)
+    if (number[i] == to_flip && HalfEdge(i) < surface.sym(HalfEdge(i)))
+      (void)creases.flip(surface, HalfEdge(i));
+  return made;
+}
+
+}  // namespace clers

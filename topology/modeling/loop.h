@@ -1,0 +1,64 @@
+// Loop subdivision: one triangle becomes four, by edge splits and flips (paper §7.3).
+#ifndef CLERS_TOPOLOGY_MODELING_LOOP_H
+#define CLERS_TOPOLOGY_MODELING_LOOP_H
+
+#include <span>
+#include <vector>
+
+#include "topology/modeling/creases.h"
+#include "topology/modeling/geometry.h"
+
+namespace clers {
+
+/// Where a vertex goes in a step: 1 - a, and a/n for each of n neighbours, a(n) = (40 - (3 + 2 cos
+/// 2pi/n)^2) / 64 (Loop 1987); on a sharp curve 3/4, and 1/8 for each neighbour on it; corners
+/// stay.
+void loop_vertex_mask(const Surface& surface, const Creases& creases, Vertex v,
+                      std::vector<Term>& mask);
+/// The vertex put on an edge: 3/8 for each end, 1/8 for each opposite vertex; 1/2, 1/2 if sharp.
+void loop_edge_mask(const Surface& surface, const Creases& creases, HalfEdge h,
+                    std::vector<Term>& mask);
+/// Where a vertex goes in the limit of all steps, from where it and its neighbours are now.
+void loop_limit_mask(const Surface& surface, const Creases& creases, Vertex v,
+                     std::vector<Term>& mask);
+
+/// The connectivity alone: splits all edges, and flips those new ones that lead to old vertices.
+/// Which vertex is on which of `edges`. Preconditions: those of subdivide_loop hold, `edges` are
+/// edges_of(surface).
+std::vector<Vertex> loop_refine(Surface& surface, Creases& creases,
+                                std::span<const HalfEdge> edges);
+/// Would there be more faces than ids, or is an edge the same face's on both sides?
+Result<Done, Violation> loop_check(const Surface& surface);
+
+/// One step. F faces become 4F; b, g and s stay. Works on surfaces that are no simplicial complex,
+/// too. New vertices are on the null point.
+///
+/// Preconditions: `ids_left`; `two_faces` of every interior edge; the geometry has values of all
+/// vertices. When memory runs out it throws std::bad_alloc: the surface is valid, but may be partly
+/// subdivided. Cost: O(F), and the degrees of vertices once. Ids: vertices stay; faces are reused.
+template <class Geometry>
+Result<Done, Violation> subdivide_loop(Surface& surface, Geometry& geometry, Creases& creases) {
+  if (const auto ok = loop_check(surface); !ok) return ok;
+  std::vector<Term> mask;
+  Moves<Geometry> moves;
+  moves.reserve(static_cast<std::size_t>(surface.characteristic().v));
+  for (const Vertex v : surface.vertices()) {
+    loop_vertex_mask(surface, creases, v, mask);
+    moves.add(v, geometry, mask);
+  }
+  const std::vector<HalfEdge> edges = edges_of(surface);
+  std::vector<typename Geometry::Value> values;
+  values.reserve(edges.size());
+  for (const HalfEdge h : edges) {
+    loop_edge_mask(surface, creases, h, mask);
+    values.push_back(geometry.combine(mask));
+  }
+  const std::vector<Vertex> made = loop_refine(surface, creases, edges);
+  moves.set(geometry);
+  for (std::size_t i = 0; i < made.size(); ++i) geometry.set(made[i], std::move(values[i]));
+  return Done{};
+}
+
+}  // namespace clers
+
+#endif

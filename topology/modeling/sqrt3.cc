@@ -1,0 +1,124 @@
+#include "topology/modeling/sqrt3.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace clers {
+namespace {
+
+double alpha(std::uint32_t n) {
+  return (4 - 2 * std::cos(2 * std::numbers::pi / n)) / 9;
+}
+
+bool same_edge(const Surface& s, HalfEdge a, HalfEdge b) {
+  return a == b || (s.sym(a) && s.sym(a) == b);
+}
+
+/// The mask of the vertex near `end` on the edge of h.
+void edge_mask(const Surface& s, const Creases& creases, HalfEdge h, Vertex end,
+               std::vector<Term>& mask) {
+  const Vertex other = s.other_end(h, end);
+  const SharpEdges sharp = sharp_edges(s, creases, end);
+  if (sharp.curve()) {
+    const Vertex before = sharp.ends[same_edge(s, sharp.edges[0], h) ? 1 : 0];
+    mask = {{before, 1. / 27}, {end, 16. / 27}, {other, 10. / 27}};
+  } else {
+    mask = {{end, 2. / 3}, {other, 1. / 3}};
+  }
+}
+
+}  // namespace
+
+void sqrt3_vertex_mask(const Surface& surface, const Creases& creases, Vertex v, Sqrt3Step step,
+                       std::vector<Term>& mask) {
+  mask.clear();
+  const SharpEdges sharp = sharp_edges(surface, creases, v);
+  if (sharp.smooth()) {
+    const std::uint32_t n = surface.degree(v);
+    const double a = alpha(n);
+    mask.push_back({v, 1 - a});
+    for (const HalfEdge h : surface.star(v)) mask.push_back({surface.other_end(h, v), a / n});
+  } else if (sharp.curve() && step == Sqrt3Step::second) {
+    mask = {{v, 19. / 27}, {sharp.ends[0], 4. / 27}, {sharp.ends[1], 4. / 27}};
+  } else {
+    mask = {{v, 1}};
+  }
+}
+
+void sqrt3_edge_mask(const Surface& surface, const Creases& creases, HalfEdge h,
+                     std::vector<Term>& mask) {
+  edge_mask(surface, creases, h, surface.org(h), mask);
+}
+void sqrt3_edge_mask_at_dest(const Surface& surface, const Creases& creases, HalfEdge h,
+                             std::vector<Term>& mask) {
+  edge_mask(surface, creases, h, surface.dest(h), mask);
+}
+
+void sqrt3_limit_mask(const Surface& surface, const Creases& creases, Vertex v,
+                      std::vector<Term>& mask) {
+  mask.clear();
+  const SharpEdges sharp = sharp_edges(surface, creases, v);
+  if (sharp.smooth()) {
+    const std::uint32_t n = surface.degree(v);
+    const double beta = 3 * alpha(n) / (1 + 3 * alpha(n));
+    mask.push_back({v, 1 - beta});
+    for (const HalfEdge h : surface.star(v)) mask.push_back({surface.other_end(h, v), beta / n});
+  } else if (sharp.curve()) {
+    mask = {{v, 2. / 3}, {sharp.ends[0], 1. / 6}, {sharp.ends[1], 1. / 6}};
+  } else {
+    mask = {{v, 1}};
+  }
+}
+
+Result<Sqrt3Plan, Violation> sqrt3_plan(const Surface& surface, const Creases& creases,
+                                        Sqrt3Step step) {
+  if (surface.characteristic().f > std::int64_t{max_faces} / 3)
+    return Failure{Violation{Precondition::ids_left, max_faces}};
+  Sqrt3Plan plan;
+  plan.faces.reserve(static_cast<std::size_t>(surface.characteristic().f));
+  for (const Face f : surface.faces()) {
+    unsigned sharp = 0;
+    if (step == Sqrt3Step::second) {
+      for (const HalfEdge h : surface.star(f)) {
+        if (!creases.is_sharp(surface, h)) continue;
+        const HalfEdge twin = surface.sym(h);
+        if (twin && left(twin) == f) return Failure{Violation{Precondition::two_faces, h.index()}};
+        if (++sharp > 1) return Failure{Violation{Precondition::one_sharp_edge, f.index()}};
+        if (!twin || h < twin) plan.edges.push_back(h);
+      }
+    }
+    if (sharp == 0) plan.faces.push_back(f);
+  }
+  return plan;
+}
+
+// A face with a sharp edge a-b, and c: after two splits (p c a), (q c p) and (q b c).
+//
+//            c
+//          / | \           The old edges c-a and b-c are half-edge 1 of their faces, as are those
+//         / / \ \          of faces with a vertex put inside. c-p, half-edge 1 of the face in
+//        / /   \ \         between, is not on its other side.
+//       a-p-----q-b
+Sqrt3Made sqrt3_refine(Surface& surface, Creases& creases, const Sqrt3Plan& plan) {
+  Sqrt3Made made;
+  made.in_faces.reserve(plan.faces.size());
+  made.on_edges.reserve(plan.edges.size());
+  // Edges first: a split takes the faces beside it along, and no other of the plan.
+  for (const HalfEdge h : plan.edges) {
+    const Vertex p = *creases.split(surface, h, Point());
+    const HalfEdge p_b = half_edge(left(surface.sym(half_edge(left(h), 0))), 0);
+    made.on_edges.push_back({p, *creases.split(surface, p_b, Point())});
+  }
+  for (const Face f : plan.faces) made.in_faces.push_back(*creases.split(surface, f, Point()));
+
+  const std::uint32_t limit = surface.face_limit();
+  for (std::uint32_t i = 0; i < limit; ++i) {
+    if (!surface.is_live(Face(i))) continue;
+    const HalfEdge h = half_edge(Face(i), 1), twin = surface.sym(h);
+    if (!twin || twin < h || corner(twin) != 1 || creases.is_sharp(surface, h)) continue;
+    (void)creases.flip(surface, h);
+  }
+  return made;
+}
+
+}  // namespace clers
