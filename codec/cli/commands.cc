@@ -266,4 +266,36 @@ Exit check(const Options& options) {
   });
 }
 
+Exit subdivide(const Options& options) {
+  return for_each_input(
+      options, options.to ? extension(*options.to) : nullptr,
+      [&](const std::string& input, const std::string& output,
+          Progress& progress) -> Outcome<Exit> {
+        const auto format = format_for(output, options.to, "--to");
+        if (!format) return Failure{format.error()};
+        auto meshes = read_meshes(options, input, progress);
+        if (!meshes) return Failure{meshes.error()};
+        std::string report;
+        for (Mesh& mesh : *meshes) {
+          auto done = subdivide(mesh, options.subdivision,
+                                [&](double share) { progress.show("subdividing", share); });
+          if (!done) return stop(input_name(input), done.error());
+          progress.clear();
+          note(options, input_name(input), {done->notes});
+          report += fmt::format("{}: {}\n", mesh.name.empty() ? input_name(input) : mesh.name,
+                                describe(options.subdivision, *done));
+          mesh = std::move(done->mesh);
+        }
+        progress.show("writing", 1);
+        const auto encoding = options.text ? std::optional(io::Encoding::text) : std::nullopt;
+        const auto written = io::write(*meshes, *format, encoding);
+        if (!written) return stop(input_name(input), written.error());
+        progress.clear();
+        note(options, output, written->notes);
+        const auto saved = write_file(output, written->bytes, options.force);
+        if (!saved || options.quiet || output == "-") return exit_after(saved);
+        return exit_after(print(report));
+      });
+}
+
 }  // namespace clers::cli

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "codec/cli/outcome.h"
+#include "codec/cli/subdivide.h"
 #include "codec/decode.h"
 #include "codec/encode.h"
 #include "codec/io/io.h"
@@ -15,14 +16,15 @@ namespace clers::cli {
 
 struct Options {
   std::vector<std::string> inputs;
-  std::string output;              ///< of encode and decode; ends in '/' or is a directory: into it
+  std::string output;  ///< of encode, decode and subdivide; ends in '/' or is a directory: into it
   std::optional<io::Format> from;  ///< of mesh files read
   std::optional<io::Format> to;    ///< of mesh files written
-  bool text = false;               ///< decode writes text where the format offers both
+  bool text = false;               ///< text is written where the format offers both
   bool force = false;
   bool quiet = false;
   bool json = false;
   EncodeOptions encode;
+  Subdivision subdivision;
   Limits limits;
 };
 
@@ -32,6 +34,7 @@ Exit decode(const Options& options);
 Exit info(const Options& options);
 Exit verify(const Options& options);  ///< inputs: the original, the .clers file
 Exit check(const Options& options);
+Exit subdivide(const Options& options);
 
 /// One line on stderr, after the program's name.
 void complain(const std::string& line);

@@ -110,6 +110,31 @@ class CommandLine {
     from(check);
     json(check);
     quiet(check);
+
+    CLI::App& subdivide =
+        add("subdivide", cli::subdivide, "Subdivide mesh files towards a smooth surface",
+            "loop makes 4 triangles of one, sqrt3 makes 3; 4-8 first pairs triangles and halves\n"
+            "them, and then makes 2 of one. The number of components, boundary curves and handles\n"
+            "stays. Polygons and non-manifold meshes are refused.\n"
+            "Examples:\n"
+            "  clers subdivide bunny.ply -o smooth.ply --scheme loop\n"
+            "  clers subdivide bunny.ply -o finer.obj --scheme sqrt3 --times 2\n"
+            "  clers subdivide a.obj b.off --scheme 4-8 --times 4 --to ply -o finer/");
+    inputs(subdivide, "IN", "mesh files: ply, obj, off, stl");
+    output(subdivide, "the mesh file, or a directory for several");
+    subdivide.add_option("--scheme", options_.subdivision.scheme, "how")
+        ->transform(CLI::Transformer(std::map<std::string, Scheme>{
+            {"sqrt3", Scheme::sqrt3}, {"loop", Scheme::loop}, {"4-8", Scheme::four_eight}}))
+        ->required()
+        ->option_text("sqrt3|loop|4-8 REQUIRED");
+    subdivide.add_option("--times", options_.subdivision.times, "how many steps")
+        ->check(CLI::Range(1u, 30u))
+        ->option_text("1..30 (default 1)");
+    from(subdivide);
+    format(subdivide, "--to", options_.to, "format of the output; default: by its name");
+    subdivide.add_flag("--text", options_.text, "text instead of binary, for ply and stl");
+    force(subdivide);
+    quiet(subdivide);
   }
 
   Exit run(int argc, char** argv) {
@@ -126,7 +151,9 @@ class CommandLine {
       return Exit::usage;
     }
     if (command_ == nullptr) {
-      complain("a command is needed: encode, decode, info, verify or check; see clers --help");
+      complain(
+          "a command is needed: encode, decode, info, verify, check or subdivide; see clers "
+          "--help");
       return Exit::usage;
     }
     options_.inputs = many_;

@@ -148,7 +148,7 @@ run encode --frobnicate grid.obj -o x; ends "an unknown option" 2 "--frobnicate"
 run encode --level 10 grid.obj -o x; ends "a level too high" 2 "--level"
 run decode --to gif grid.clers -o x; ends "an unknown format" 2 "--to = gif"
 run decode --max-memory 3X grid.clers -o x.obj; ends "no size" 2 "3X"
-for command in "" encode decode info verify check; do
+for command in "" encode decode info verify check subdivide; do
   run $command --help; ends "clers $command --help" 0
   check "clers $command --help has examples" grep -q "^  clers ${command:-encode} " out
 done
@@ -257,6 +257,65 @@ run check --json grid.obj; ends "check --json" 0
 check "check --json agrees" test "$(number vertices) $(number triangles) $(number boundary_curves)" = "121 200 1"
 run check tetrahedron.obj; ends "check" 0
 check "check is readable" grep -qE "^  genus +0$" out
+
+# ---- Subdivision
+counts() { run check --json "$1"; echo "$(number triangles) $(number vertices) $(number components) $(number boundary_curves) $(number genus)"; }
+run subdivide grid.obj -o finer.ply --scheme loop; ends "subdivide" 0
+check "subdivide reports" grep -q "^grid.obj: loop, 1 time: 200 -> 800 triangles, 121 -> 441 vertices; 1 component, 1 boundary curve, genus 0$" out
+check "loop makes four of one" test "$(counts finer.ply)" = "800 441 1 1 0"
+run subdivide -q grid.obj -o finer.off --scheme sqrt3 --times 2; ends "subdivide by sqrt3, twice" 0
+check "subdivide -q is silent" test ! -s out
+check "sqrt3 makes nine of one" test "$(counts finer.off)" = "1800 961 1 1 0"
+run subdivide -q grid.obj -o finer.obj --scheme 4-8 --times 3; ends "subdivide by 4-8" 0
+check "4-8 makes two of one" test "$(counts finer.obj | cut -d' ' -f3-)" = "1 1 0"
+cat tetrahedron.obj - >two.obj <<'END'
+v 5 0 0
+v 6 0 0
+v 5 1 0
+f 5 6 7
+END
+run subdivide two.obj -o two.ply --scheme loop --times 3; ends "subdivide two components" 0
+check "components and boundaries stay" test "$(counts two.ply)" = "320 175 2 1 0"
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n' >square.obj
+run subdivide square.obj -o x.obj --scheme loop; ends "subdivide polygons" 3 "square.obj: face 0: has 4 corners"
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n' >book.obj
+run subdivide book.obj -o x.obj --scheme loop; ends "subdivide a non-manifold edge" 3 "book.obj: .*edge of vertices 0 and 1"
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 2 3\nf 1 4 5\n' >bow.obj
+run subdivide bow.obj -o x.obj --scheme sqrt3; ends "subdivide a non-manifold vertex" 3 "bow.obj: vertex 0: "
+printf 'v 0 0 0\nv 1 0 0\nf 1 2 2\n' >thin.obj
+run subdivide thin.obj -o x.obj --scheme 4-8; ends "subdivide a degenerate face" 3 "thin.obj: face 0: uses a vertex twice"
+run subdivide grid.obj -o x.obj --scheme loop --times 30; ends "subdivide beyond all ids" 4 "grid.obj: would become"
+run subdivide grid.obj -o x.obj --scheme loop --times 0; ends "subdivide no times" 2 "--times"
+run subdivide grid.obj -o x.obj; ends "subdivide without a scheme" 2 "--scheme is required"
+run subdivide grid.obj -o x.obj --scheme catmull; ends "subdivide by an unknown scheme" 2 "--scheme"
+run subdivide grid.obj -o finer.ply --scheme loop; ends "subdivide onto an output" 2 "finer.ply: exists"
+check "no refused subdivision leaves an output" test ! -e x.obj
+"$clers" subdivide --from obj - --to off -o - --scheme loop <grid.obj >out 2>err; status=$?
+ends "subdivide - -o -" 0
+check "subdivide -o - writes only the mesh" test "$(head -n 1 out)" = OFF
+cat >colour.ply <<'END'
+ply
+format ascii 1.0
+element vertex 4
+property float x
+property float y
+property float z
+property uchar red
+property uchar green
+property uchar blue
+element face 1
+property list uchar int vertex_indices
+property int material
+end_header
+0 0 0 255 0 0
+1 0 0 255 0 0
+0 1 0 0 255 0
+9 9 9 1 2 3
+3 0 1 2 7
+END
+run subdivide colour.ply -o coloured.ply --text --scheme loop
+check "subdivide carries values of vertices" grep -q "^0.5 0 0 255 0 0$" coloured.ply
+check "subdivide notes what it leaves out" test "$(grep -c 'left out' err)" -eq 2
 
 # ---- Progress
 if command -v script >/dev/null; then

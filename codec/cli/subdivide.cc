@@ -1,0 +1,234 @@
+#include "codec/cli/subdivide.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "codec/adjacency.h"
+#include "topology/modeling/four_eight.h"
+#include "topology/modeling/loop.h"
+#include "topology/modeling/sqrt3.h"
+
+namespace clers::cli {
+namespace {
+
+/// Calls visit with a value of the scalar's type.
+template <class Visit>
+auto with_type(Scalar scalar, Visit visit) {
+  switch (scalar) {
+    case Scalar::int8: return visit(std::int8_t{});
+    case Scalar::uint8: return visit(std::uint8_t{});
+    case Scalar::int16: return visit(std::int16_t{});
+    case Scalar::uint16: return visit(std::uint16_t{});
+    case Scalar::int32: return visit(std::int32_t{});
+    case Scalar::uint32: return visit(std::uint32_t{});
+    case Scalar::int64: return visit(std::int64_t{});
+    case Scalar::uint64: return visit(std::uint64_t{});
+    case Scalar::float32: return visit(float{});
+    case Scalar::float64: break;
+  }
+  return visit(double{});
+}
+
+double load(Scalar scalar, const std::byte* at) {
+  return with_type(scalar, [&](auto value) {
+    std::memcpy(&value, at, sizeof value);
+    return static_cast<double>(value);
+  });
+}
+
+void store(Scalar scalar, double x, std::byte* at) {
+  with_type(scalar, [&](auto value) {
+    using T = decltype(value);
+    if constexpr (std::is_integral_v<T>) {
+      // Weights are not all positive in every scheme to come: out of range is the end of it.
+      using Limits = std::numeric_limits<T>;
+      const double whole = std::round(x);
+      value = whole <= static_cast<double>(Limits::min())   ? Limits::min()
+              : whole >= static_cast<double>(Limits::max()) ? Limits::max()
+                                                            : static_cast<T>(whole);
+    } else {
+      value = static_cast<T>(x);
+    }
+    std::memcpy(at, &value, sizeof value);
+  });
+}
+
+/// The values of a vertex: all components of its attributes, one after the other.
+template <std::size_t n>
+struct Values : std::array<double, n> {
+  Values() : std::array<double, n>{} {}
+  Values& operator+=(const Values& o) {
+    for (std::size_t i = 0; i < n; ++i) (*this)[i] += o[i];
+    return *this;
+  }
+  friend Values operator*(double k, Values v) {
+    for (double& x : v) x *= k;
+    return v;
+  }
+};
+
+/// Averages, and counts what is set, to tell how far the work is.
+template <class V>
+class Counted : public Averaging<V> {
+ public:
+  Counted(std::vector<V> values, double total, const std::function<void(double)>& progress)
+      : Averaging<V>(std::move(values)), total_(total), progress_(progress) {}
+  void set(Vertex v, V value) {
+    Averaging<V>::set(v, std::move(value));
+    if (++count_ % 65536 == 0 && progress_)
+      progress_(std::min(1.0, static_cast<double>(count_) / total_));
+  }
+
+ private:
+  std::uint64_t count_ = 0;
+  double total_;
+  const std::function<void(double)>& progress_;
+};
+
+double faces_after(const Subdivision& how, double faces) {
+  const double factor = how.scheme == Scheme::loop ? 4 : how.scheme == Scheme::sqrt3 ? 3 : 2;
+  if (how.scheme == Scheme::four_eight) faces *= 3;  // at most, as a tri-quad mesh
+  return faces * std::pow(factor, how.times);
+}
+
+Expected<Surface> surface_of(const Mesh& mesh) {
+  for (std::uint32_t f = 0; f < mesh.face_sizes.size(); ++f)
+    if (mesh.face_sizes[f] != 3)
+      return fail(ErrorCode::unsupported, Place::face, f,
+                  fmt::format("has {} corners, subdivision is of triangles", mesh.face_sizes[f]));
+  const auto& c = mesh.corners;
+  for (std::size_t f = 0; f < c.size() / 3; ++f)
+    if (c[3 * f] == c[3 * f + 1] || c[3 * f + 1] == c[3 * f + 2] || c[3 * f + 2] == c[3 * f])
+      return fail(ErrorCode::degenerate_face, Place::face, f, "uses a vertex twice");
+  const Faces faces(c, {});
+  const auto twins = find_twins(faces, mesh.vertex_count);
+  if (!twins) return Failure{twins.error()};
+  if (const std::uint32_t v = vertex_of_several_fans(faces, *twins, mesh.vertex_count); v != ~0u)
+    return fail(ErrorCode::nonmanifold_vertex, Place::vertex, v,
+                "has faces in more than one fan, subdivision is of manifolds");
+  std::vector<Vertex> org;
+  org.reserve(c.size());
+  for (const std::uint32_t v : c) org.emplace_back(v);
+  auto surface = Surface::from_twins(org, *twins, mesh.vertex_count);
+  if (!surface) return fail(ErrorCode::internal, describe(surface.error()));
+  return *std::move(surface);
+}
+
+template <class Geometry>
+Result<Done, Violation> run(Surface& surface, Geometry& geometry, const Subdivision& how) {
+  Creases none;
+  if (how.scheme == Scheme::four_eight) {
+    const auto length = [&](const Surface& s, HalfEdge h) {
+      const auto &a = geometry[s.org(h)], &b = geometry[s.dest(h)];
+      return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    };
+    if (const auto ok = make_tri_quad(surface, geometry, none, length); !ok) return ok;
+  }
+  for (unsigned i = 0; i < how.times; ++i) {
+    const auto ok = how.scheme == Scheme::loop ? subdivide_loop(surface, geometry, none)
+                    : how.scheme == Scheme::four_eight
+                        ? subdivide_4_8(surface, geometry, none)
+                        : subdivide_sqrt3(surface, geometry, none,
+                                          i % 2 == 0 ? Sqrt3Step::first : Sqrt3Step::second);
+    if (!ok) return ok;
+  }
+  return Done{};
+}
+
+template <std::size_t n>
+Expected<Done> run(Surface& surface, const std::vector<const Attribute*>& carried,
+                   const Subdivision& how, const std::function<void(double)>& progress, Mesh& out) {
+  std::vector<Values<n>> values(surface.vertex_limit());
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    std::size_t i = 0;
+    for (const Attribute* a : carried)
+      for (std::size_t k = 0; k < a->components; ++k)
+        values[v][i++] = load(a->scalar, a->data.data() + v * a->stride() + k * size_of(a->scalar));
+  }
+  const double faces = static_cast<double>(surface.characteristic().f);
+  Counted<Values<n>> geometry(std::move(values), faces_after(how, faces) * 0.67, progress);
+  if (const auto ok = run(surface, geometry, how); !ok)
+    return fail(ErrorCode::too_large, clers::describe(ok.error()));
+
+  std::vector<std::uint32_t> number(surface.vertex_limit());
+  for (const Vertex v : surface.vertices()) number[v.index()] = out.vertex_count++;
+  out.corners.reserve(3 * static_cast<std::size_t>(surface.characteristic().f));
+  for (const Face f : surface.faces())
+    for (const HalfEdge h : surface.star(f)) out.corners.push_back(number[surface.org(h).index()]);
+  std::size_t first = 0;
+  for (const Attribute* a : carried) {
+    Attribute made{a->name, a->domain, a->scalar, a->components, {}};
+    made.data.resize(out.vertex_count * made.stride());
+    std::byte* at = made.data.data();
+    for (const Vertex v : surface.vertices())
+      for (std::size_t k = 0; k < a->components; ++k, at += size_of(a->scalar))
+        store(a->scalar, geometry[v][first + k], at);
+    first += a->components;
+    out.attributes.push_back(std::move(made));
+  }
+  return Done{};
+}
+
+}  // namespace
+
+const char* name(Scheme scheme) {
+  constexpr const char* names[] = {"sqrt3", "loop", "4-8"};
+  return names[static_cast<unsigned>(scheme)];
+}
+
+Expected<Subdivided> subdivide(const Mesh& mesh, const Subdivision& how,
+                               const std::function<void(double)>& progress) {
+  const Attribute* position = mesh.position();
+  if (position == nullptr || position->components != 3)
+    return fail(ErrorCode::unsupported, "has no positions to subdivide by");
+  auto surface = surface_of(mesh);
+  if (!surface) return Failure{surface.error()};
+  const double faces = faces_after(how, static_cast<double>(surface->characteristic().f));
+  if (faces > max_faces)
+    return fail(ErrorCode::too_large,
+                fmt::format("would become {:.3g} faces, expected at most {}", faces, max_faces));
+  Subdivided result;
+  result.before = surface->characteristic();
+  result.mesh.name = mesh.name;
+  const std::uint64_t isolated = mesh.vertex_count - static_cast<std::uint64_t>(result.before.v);
+  if (isolated != 0)
+    result.notes.push_back(fmt::format("{} isolated {} left out", isolated,
+                                       isolated == 1 ? "vertex is" : "vertices are"));
+  // Positions first: edges have lengths.
+  constexpr std::size_t most = 32;
+  std::vector<const Attribute*> carried{position};
+  std::size_t components = 3;
+  for (const Attribute& a : mesh.attributes) {
+    if (&a == position) continue;
+    if (a.domain == Domain::vertex && components + a.components <= most) {
+      carried.push_back(&a);
+      components += a.components;
+    } else {
+      result.notes.push_back(fmt::format("attribute \"{}\" is left out", a.name));
+    }
+  }
+  const auto ok = components == 3   ? run<3>(*surface, carried, how, progress, result.mesh)
+                  : components <= 8 ? run<8>(*surface, carried, how, progress, result.mesh)
+                                    : run<most>(*surface, carried, how, progress, result.mesh);
+  if (!ok) return Failure{ok.error()};
+  result.after = surface->characteristic();
+  return result;
+}
+
+std::string describe(const Subdivision& how, const Subdivided& result) {
+  const auto &a = result.before, &b = result.after;
+  const auto many = [](std::int64_t n, const char* one, const char* more) {
+    return fmt::format("{} {}", n, n == 1 ? one : more);
+  };
+  return fmt::format("{}, {}: {} -> {} triangles, {} -> {} vertices; {}, {}, genus {}",
+                     name(how.scheme), many(how.times, "time", "times"), a.f, b.f, a.v, b.v,
+                     many(b.s, "component", "components"),
+                     many(b.b, "boundary curve", "boundary curves"), b.g);
+}
+
+}  // namespace clers::cli
