@@ -14,6 +14,7 @@
 #include "topology/derived.h"
 #include "topology/equivalence.h"
 #include "topology/handlebody.h"
+#include "topology/stellar.h"
 #include "topology/surface.h"
 #include "topology/test/meshes.h"
 #include "topology/validate.h"
@@ -228,6 +229,74 @@ void handles_of_chain(State& state) {
   cut_and_paste(state, s, last, HandleCase::join_curves, timed);
 }
 
+/// The edges are turned four times, which leaves all as it was. `follow` hears of it or is Alone.
+template <class Follow>
+void flip(State& state) {
+  Surface s = test::torus(side(state.range(0)), side(state.range(0)));
+  const Edges edges = spread(s);
+  Meter meter(state, s.characteristic(), 4 * static_cast<double>(edges.size()));
+  for (auto _ : state) {
+    const double start = now();
+    for (int turn = 0; turn < 4; ++turn)
+      for (const HalfEdge h : edges) must(clers::flip(s, h, Follow{}).ok(), "flip");
+    meter.add(now() - start);
+  }
+}
+struct Listens {
+  void operator()(const Change& change) const { benchmark::DoNotOptimize(change.slots().size()); }
+};
+
+/// Splits at many places, then welds, last first; the time is that of one direction.
+enum class Half { split, weld };
+template <StellarCase kind, Half timed>
+void split_and_weld(State& state) {
+  const std::uint32_t n = side(state.range(0));
+  Surface s = kind == StellarCase::boundary_edge ? test::grid(n, n) : test::torus(n, n);
+  Edges edges;
+  if (kind == StellarCase::boundary_edge) {
+    // Every other edge of the rim; each face has one.
+    for (const HalfEdge h : s.boundary(*s.curves().begin()))
+      if (edges.size() < places && s.corner_count(s.org(h)) > 1) edges.push_back(h);
+  } else {
+    edges = spread(s);
+  }
+  // Half-edge 1 of its faces, so that all is as it was in the end.
+  std::vector<Vertex> made(edges.size());
+  const auto split = [&](HalfEdge h) {
+    return kind == StellarCase::face ? *s.split(left(h), Point(0)) : *s.split(h, Point(0));
+  };
+  for (HalfEdge& h : edges) h = s.weld(split(h))->at;
+  Meter meter(state, s.characteristic(), static_cast<double>(edges.size()));
+  for (auto _ : state) {
+    const double start = now();
+    for (std::size_t i = 0; i < edges.size(); ++i) made[i] = split(edges[i]);
+    const double middle = now();
+    for (std::size_t i = made.size(); i-- > 0;) must(s.weld(made[i])->undone == kind, name(kind));
+    const double end = now();
+    meter.add(timed == Half::split ? middle - start : end - middle);
+  }
+}
+
+/// A vertex is split and its new edge collapsed: six flips, a split and a weld, and the condition.
+void split_vertex_collapse(State& state) {
+  const std::uint32_t n = side(state.range(0));
+  Surface s = test::torus(n, n);
+  std::vector<Vertex> vertices;
+  for (const HalfEdge h : spread(s)) vertices.push_back(s.org(h));
+  Meter meter(state, s.characteristic(), 2 * static_cast<double>(vertices.size()));
+  for (auto _ : state) {
+    const double start = now();
+    for (const Vertex v : vertices) {
+      const HalfEdge from = s.star_half_edge(v);
+      HalfEdge to = from;
+      for (int i = 0; i < 3; ++i) to = s.sym(lprev(to));
+      const auto edge = split_vertex(s, from, to, Point(0));
+      must(edge && collapse(s, *edge).ok(), "collapse");
+    }
+    meter.add(now() - start);
+  }
+}
+
 void create_destroy(State& state) {
   Surface s = test::torus(side(state.range(0)), side(state.range(0)));
   must(s.destroy(*s.create(Point(0), Point(1), Point(2))).ok(), "destroy");
@@ -329,6 +398,21 @@ BENCHMARK(handle_of_torus<Timed::unglue>)->Apply(sizes)->Name("unglue join_curve
 BENCHMARK(handle_of_torus<Timed::glue>)->Apply(sizes)->Name("glue join_curves, torus");
 BENCHMARK(handles_of_chain<Timed::unglue>)->Apply(sizes)->Name("unglue join_curves, chain");
 BENCHMARK(handles_of_chain<Timed::glue>)->Apply(sizes)->Name("glue join_curves, chain");
+BENCHMARK(flip<Alone>)->Apply(sizes)->Name("flip");
+BENCHMARK(flip<Listens>)->Apply(sizes)->Name("flip, followed");
+BENCHMARK(split_and_weld<StellarCase::interior_edge, Half::split>)
+    ->Apply(sizes)
+    ->Name("split edge");
+BENCHMARK(split_and_weld<StellarCase::interior_edge, Half::weld>)->Apply(sizes)->Name("weld edge");
+BENCHMARK(split_and_weld<StellarCase::boundary_edge, Half::split>)
+    ->Apply(sizes)
+    ->Name("split boundary edge");
+BENCHMARK(split_and_weld<StellarCase::boundary_edge, Half::weld>)
+    ->Apply(sizes)
+    ->Name("weld boundary edge");
+BENCHMARK(split_and_weld<StellarCase::face, Half::split>)->Apply(sizes)->Name("split face");
+BENCHMARK(split_and_weld<StellarCase::face, Half::weld>)->Apply(sizes)->Name("weld face");
+BENCHMARK(split_vertex_collapse)->Apply(sizes)->Name("split_vertex, collapse");
 BENCHMARK(attach_only)->Apply(sizes)->Name("attach");
 BENCHMARK(unbuild_grid)->Apply(sizes)->Name("unbuild grid, per face");
 BENCHMARK(unbuild_torus)->Apply(sizes)->Name("unbuild torus, per face");

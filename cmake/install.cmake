@@ -3,7 +3,8 @@
 set(clers_include ${CMAKE_INSTALL_INCLUDEDIR}/clers)
 install(TARGETS clers_codec EXPORT clers-targets
   FILE_SET HEADERS DESTINATION ${clers_include} FILE_SET made DESTINATION ${clers_include})
-install(TARGETS clers_topology EXPORT clers-targets FILE_SET HEADERS DESTINATION ${clers_include})
+install(TARGETS clers_topology clers_modeling EXPORT clers-targets
+  FILE_SET HEADERS DESTINATION ${clers_include})
 if(CLERS_IO)
   install(TARGETS clers_io EXPORT clers-targets FILE_SET HEADERS DESTINATION ${clers_include})
 endif()
@@ -17,7 +18,7 @@ install(FILES
   ${CMAKE_CURRENT_BINARY_DIR}/clers-config-version.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/clers)
 
-set(clers_pc_libs "-lclers_codec -lclers_topology")
+set(clers_pc_libs "-lclers_codec -lclers_modeling -lclers_topology")
 if(CLERS_IO)
   string(PREPEND clers_pc_libs "-lclers_io ")
 endif()

@@ -306,6 +306,13 @@ class Surface {
                                            std::uint32_t vertex_count,
                                            std::span<const Point> points = {});
 
+  /// Makes room for so many faces and vertices more at once: operators that know what they will
+  /// make need not grow the arrays again and again. Changes nothing else.
+  void reserve(std::uint32_t faces, std::uint32_t vertices) {
+    reserve_faces(faces);
+    reserve_vertices(vertices);
+  }
+
   /// The arrays from_twins takes, null at dead faces.
   std::span<const Vertex> origins() const { return org_; }
   std::span<const HalfEdge> twins() const { return twin_; }

@@ -90,6 +90,8 @@ Result<Done, Violation> subdivide_4_8(Surface& surface, Geometry& geometry, Crea
     four_eight_vertex_mask(surface, creases, v, mask);
     moves.add(v, geometry, mask);
   }
+  surface.reserve(static_cast<std::uint32_t>(surface.characteristic().f),
+                  static_cast<std::uint32_t>(surface.characteristic().f));
   // Blocks share no face: each is whole when its turn comes, and new values are no one's input.
   std::vector<HalfEdge> edges;
   edges.reserve(static_cast<std::size_t>(surface.characteristic().f));

@@ -83,9 +83,10 @@ Result<Done, Violation> loop_check(const Surface& surface) {
 // the first new vertex to the old one opposite is flipped when all are split.
 std::vector<Vertex> loop_refine(Surface& surface, Creases& creases,
                                 std::span<const HalfEdge> edges) {
-  const auto faces = static_cast<std::size_t>(surface.characteristic().f);
+  const auto faces = static_cast<std::uint32_t>(surface.characteristic().f);
+  surface.reserve(3 * faces, static_cast<std::uint32_t>(edges.size()));
   std::vector<std::uint32_t> number;
-  number.reserve(surface.half_edge_limit() + 9 * faces);
+  number.reserve(surface.half_edge_limit() + 9 * std::size_t{faces});
   number.resize(surface.half_edge_limit(), no_edge);
   const auto at = [&](HalfEdge h) -> std::uint32_t& { return number[h.index()]; };
   for (std::size_t i = 0; i < edges.size(); ++i)
@@ -93,7 +94,7 @@ std::vector<Vertex> loop_refine(Surface& surface, Creases& creases,
 
   std::vector<Vertex> made(edges.size());
   std::vector<Face> pending;
-  pending.reserve(2 * faces);
+  pending.reserve(2 * std::size_t{faces});
   for (const Face f : surface.faces()) pending.push_back(f);
 
   const auto split = [&](HalfEdge h) {

@@ -103,6 +103,8 @@ Sqrt3Made sqrt3_refine(Surface& surface, Creases& creases, const Sqrt3Plan& plan
   Sqrt3Made made;
   made.in_faces.reserve(plan.faces.size());
   made.on_edges.reserve(plan.edges.size());
+  surface.reserve(static_cast<std::uint32_t>(2 * surface.characteristic().f),
+                  static_cast<std::uint32_t>(plan.faces.size() + 2 * plan.edges.size()));
   // Edges first: a split takes the faces beside it along, and no other of the plan.
   for (const HalfEdge h : plan.edges) {
     const Vertex p = *creases.split(surface, h, Point());
