@@ -1,0 +1,16 @@
+# Draws the figures into DRAWN and compares them with those COMMITTED.
+file(REMOVE_RECURSE ${DRAWN})
+file(MAKE_DIRECTORY ${DRAWN})
+execute_process(COMMAND ${DRAW} ${DRAWN} COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB drawn RELATIVE ${DRAWN} ${DRAWN}/*.svg)
+file(GLOB committed RELATIVE ${COMMITTED} ${COMMITTED}/*.svg)
+if(NOT "${drawn}" STREQUAL "${committed}" OR "${drawn}" STREQUAL "")
+  message(FATAL_ERROR "drawn: ${drawn}\ncommitted: ${committed}")
+endif()
+foreach(figure ${drawn})
+  execute_process(COMMAND ${CMAKE_COMMAND} -E compare_files ${DRAWN}/${figure} ${COMMITTED}/${figure}
+    RESULT_VARIABLE different)
+  if(different)
+    message(SEND_ERROR "${figure} is not what is drawn; cmake --build .. --target figures")
+  endif()
+endforeach()
