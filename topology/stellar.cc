@@ -39,7 +39,11 @@ void Surface::turn_rings(std::span<const RimSide> rim) {
 /// Moves sides to other half-edges, all at once: what is glued to them, from outside or among
 /// themselves, their origins, and the stars they are.
 void Surface::move_rim(std::span<const RimSide> rim) {
-  turn_rings(rim);
+  for (const RimSide& side : rim)
+    if (is_boundary(side.from)) {
+      turn_rings(rim);
+      break;
+    }
   std::array<HalfEdge, rim_most> twin;
   std::array<Vertex, rim_most> origin;
   std::array<bool, rim_most> star{};

@@ -326,6 +326,9 @@ if command -v script >/dev/null; then
   script -qec "'$clers' encode -q huge.obj -o huge.clers -f" /dev/null >terminal </dev/null
   check "-q shows none" test ! -s terminal
   run encode huge.obj -o huge.clers -f; ends "a file sees none" 0
+  grid 250 >large.obj
+  script -qec "'$clers' subdivide large.obj -o larger.ply --scheme loop --times 2" /dev/null >terminal </dev/null; status=$?
+  check "a terminal sees how subdivision goes" grep -q '% .*large.obj' terminal
 else
   echo "not tested: the progress bar (needs script)"
 fi
