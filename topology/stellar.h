@@ -44,6 +44,7 @@ template <class Cost, class Follow = Alone>
 Result<Welded, Violation> remove(Surface& surface, Vertex v, std::uint32_t degree, Cost&& cost,
                                  Follow&& follow = {}) {
   if (const auto why = refuse_remove(surface, v, degree)) return Failure{*why};
+  surface.reserve(0, 0);  // the weld must not fail when the flips are done
   while (surface.degree(v) > degree) {
     HalfEdge best;
     decltype(cost(surface, best)) least{};
@@ -77,6 +78,7 @@ inline Result<Welded, Violation> remove(Surface& surface, Vertex v, std::uint32_
 template <class Follow = Alone>
 Result<Vertex, Violation> collapse(Surface& surface, HalfEdge h, Follow&& follow = {}) {
   if (const auto why = refuse_collapse(surface, h)) return Failure{*why};
+  surface.reserve(0, 0);  // the weld must not fail when the flips are done
   if (surface.is_boundary(surface.org(h)) && !surface.is_boundary(surface.dest(h)))
     h = surface.sym(h);
   const Vertex u = surface.org(h), w = surface.dest(h);
@@ -96,17 +98,15 @@ Result<Vertex, Violation> collapse(Surface& surface, HalfEdge h, Follow&& follow
 /// leave w; or, if `to` is null, to the boundary.
 ///
 ///           d                  d
-///      \    |    /        \   / \   /        An edge split (of a face, if the corner is one), then
-///        -- w --     ->     -u---w-          flips. The new faces are u, w and what `from` and
-///        `to`
-///      /    |    \        /   \ /   \        lead to.
+///      \    |    /        \   / \   /        A split of an edge, or of the face if it is one
+///        -- w --     ->     -u---w-          corner, then flips. The new faces are u, w and
+///      /    |    \        /   \ /   \        what `from` and `to` lead to, c and d.
 ///           c                  c             .
 ///
 /// Preconditions: `live_half_edge`, `leave_one_vertex` (and `to` comes after `from`, before the
 /// boundary), `two_half_edges`, `simple_star`, `ids_left`. Effect: (1,3,2,0,0,0), with `to` null
-/// (1,2,1,0,0,0). Inverse: collapse of the half-edge returned, which leads from the new vertex to w
-/// (of a new edge on the boundary: its half-edge, either way). Cost: O(corners given) flips,
-/// besides O(degree(w)). Ids: all stay valid.
+/// (1,2,1,0,0,0). Inverse: collapse of the half-edge returned, which leads from the new vertex to
+/// w. Cost: O(corners given) flips, besides O(degree(w)). Ids: all stay valid.
 template <class Follow = Alone>
 Result<HalfEdge, Violation> split_vertex(Surface& surface, HalfEdge from, HalfEdge to, Point p,
                                          Follow&& follow = {}) {

@@ -93,6 +93,15 @@ TEST(Memory, StellarOperatorsFailWithoutAChange) {
   const Vertex side = *s.split(s.on_curve(*s.curves().begin()), Point(9));
   for (const Vertex v : {centre, middle, side})
     EXPECT_GT(starve(s, [&](Surface& x) { EXPECT_TRUE(x.weld(v)); }), 0);
+  // What is composed of them, too: flips, and then what needs memory.
+  Vertex hub;
+  for (const Vertex v : s.vertices())
+    if (!s.is_boundary(v) && s.degree(v) > 5) hub = v;
+  ASSERT_TRUE(hub);
+  const HalfEdge from = s.star_half_edge(hub), to = s.sym(lprev(s.sym(lprev(from))));
+  EXPECT_GT(starve(s, [&](Surface& x) { EXPECT_TRUE(remove(x, hub, 3)); }), 0);
+  EXPECT_GT(starve(s, [&](Surface& x) { EXPECT_TRUE(collapse(x, from)); }), 0);
+  EXPECT_GT(starve(s, [&](Surface& x) { EXPECT_TRUE(split_vertex(x, from, to, Point(1))); }), 5);
 }
 
 TEST(Memory, QueriesAndRepeatedOperatorsAllocateNothing) {
