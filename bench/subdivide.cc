@@ -8,6 +8,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 
@@ -66,11 +67,51 @@ void measure(const char* scheme, const Shape& control, std::int64_t target, doub
   std::printf("\n");
 }
 
+/// After two steps of either scheme, against the peer's mesh.
+void check(const Shape& control) {
+  double low[3], high[3];
+  for (std::size_t k = 0; k < 3; ++k) low[k] = 1e300, high[k] = -1e300;
+  for (const Vertex v : control.surface.vertices())
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], control.positions[v][k]);
+      high[k] = std::max(high[k], control.positions[v][k]);
+    }
+  const double size = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  const Characteristic& before = control.surface.characteristic();
+  std::printf("  %lld boundary curves, genus %lld, %lld components\n",
+              static_cast<long long>(before.b), static_cast<long long>(before.g),
+              static_cast<long long>(before.s));
+  for (const bool loop : {true, false}) {
+    Shape shape = control;
+    Creases none;
+    for (unsigned i = 0; i < 2; ++i) {
+      if (loop)
+        (void)subdivide_loop(shape.surface, shape.positions, none);
+      else
+        (void)subdivide_sqrt3(shape.surface, shape.positions, none,
+                              i == 0 ? Sqrt3Step::first : Sqrt3Step::second);
+    }
+    const Characteristic& after = shape.surface.characteristic();
+    const bool counts = after.f == before.f * (loop ? 16 : 9) && after.b == before.b &&
+                        after.g == before.g && after.s == before.s;
+    const auto found =
+        agree(plain_of(shape),
+              subdivide_by_openmesh(plain_of(control),
+                                    loop ? test::PeerScheme::loop : test::PeerScheme::sqrt3, 2),
+              1e-6 * size);
+    std::printf("  %-6s x2  counts %s, %s %.2g of the mesh's size from OpenMesh's\n",
+                loop ? "loop" : "sqrt3", counts ? "exact" : "WRONG",
+                found.wrong.empty() ? "vertices at most" : found.wrong.c_str(),
+                found.distance / size);
+  }
+}
+
 void measure(const Shape& control) {
   static const test::PeerScheme loop_peer = test::PeerScheme::loop,
                                 sqrt3_peer = test::PeerScheme::sqrt3;
   Creases none;
   for (const std::int64_t target : {10'000, 100'000, 1'000'000}) {
+    if (2 * control.surface.characteristic().f > target) continue;
     measure(
         "loop", control, target, 4,
         [&](Shape& s, unsigned) { (void)subdivide_loop(s.surface, s.positions, none); },
@@ -108,6 +149,9 @@ int main(int argc, char** argv) {
     const bench::Input input = bench::read_input(argv[i]);
     std::printf("%s: %zu triangles%s\n", input.name.c_str(), input.triangle_count(),
                 input.manifold ? "" : ", no manifold");
-    if (input.manifold) measure(test::shape_of(input.mesh));
+    if (!input.manifold) continue;
+    const Shape control = test::shape_of(input.mesh);
+    check(control);
+    measure(control);
   }
 }
