@@ -39,8 +39,35 @@ class StreamingMatcher {
     std::uint32_t next;
   };
 
+  /// Whether faces that follow each other lie far from each other: then each waits for memory.
+  bool shuffled(std::uint32_t n) const {
+    constexpr std::uint32_t far = 1u << 12, samples = 256;
+    if (cells_.size() < 16 * far) return false;
+    std::uint32_t count = 0;
+    for (std::uint32_t i = 0; i < samples; ++i) {
+      const std::uint32_t h =
+          static_cast<std::uint32_t>(std::uint64_t(n / 3 - 1) * i / samples) * 3;
+      count += std::max(org_[h], org_[h + 3]) - std::min(org_[h], org_[h + 3]) > far;
+    }
+    return count > samples / 2;
+  }
+
   bool match_triangles(std::uint32_t n) {
+    return shuffled(n) ? match_triangles<true>(n) : match_triangles<false>(n);
+  }
+
+  template <bool prefetch>
+  bool match_triangles(std::uint32_t n) {
+    constexpr std::uint32_t ahead = 3 * 12;  // enough faces to hide what memory takes
     for (std::uint32_t h = 0; h < n; h += 3) {
+      if constexpr (prefetch) {
+        if (h + ahead < n) {
+          const std::uint32_t *const o = &org_[h + ahead], low = std::min(o[0], o[1]);
+          __builtin_prefetch(&cells_[low], 1);
+          __builtin_prefetch(&cells_[std::min(std::max(o[0], o[1]), o[2])], 1);
+          __builtin_prefetch(&cells_[std::min(low, o[2])], 1);
+        }
+      }
       const std::uint32_t a = org_[h], b = org_[h + 1], c = org_[h + 2];
       if (!match(h, a, b) || !match(h + 1, b, c) || !match(h + 2, c, a)) return false;
     }
