@@ -19,6 +19,7 @@
 #include "codec/rans.h"
 #include "codec/symbol_model.h"
 #include "corpus/generate.h"
+#include "topology/front.h"
 
 namespace clers {
 namespace {
@@ -122,7 +123,7 @@ std::vector<Clers> letters(std::size_t n) {
 }
 
 std::vector<std::byte> coded(const std::vector<Clers>& all) {
-  SymbolModel model(3);
+  SingleModel model(3);
   rans::Encoder out;
   out.reserve(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -145,10 +146,14 @@ void symbol_decode(benchmark::State& state) {
   const std::vector<Clers> all = letters(200000);
   const std::vector<std::byte> bytes = coded(all);
   for (auto _ : state) {
-    SymbolModel model(3);
+    SingleModel model(3);
     rans::Decoder in(bytes);
+    NoPairing none;
+    const Front<NoPairing> front(nullptr, none);
+    using Gate = Front<NoPairing>::Gate;
     for (std::size_t i = 0; i < all.size(); ++i)
-      benchmark::DoNotOptimize(model.decode(in, 4 + static_cast<std::uint32_t>(i % 4),
+      benchmark::DoNotOptimize(model.decode(in, front,
+                                            Gate{.kx = 4 + static_cast<std::uint32_t>(i % 4)}, 0,
                                             [](auto letter) { return Clers(letter()); }));
   }
   count_items(state, all.size());

@@ -25,6 +25,10 @@ inline void put_varint(Bytes& out, std::uint64_t v) {
   for (; v >= 0x80; v >>= 7) put_u8(out, static_cast<std::uint32_t>(v & 0x7f) | 0x80);
   put_u8(out, static_cast<std::uint32_t>(v));
 }
+/// 0, -1, 1, -2, .. as 0, 1, 2, 3, ..
+inline void put_signed_varint(Bytes& out, std::int64_t v) {
+  put_varint(out, (static_cast<std::uint64_t>(v) << 1) ^ static_cast<std::uint64_t>(v >> 63));
+}
 inline void put_bytes(Bytes& out, std::span<const std::byte> v) {
   out.insert(out.end(), v.begin(), v.end());
 }
@@ -68,6 +72,10 @@ class ByteReader {
     }
     set_error({ErrorCode::invalid, Place::byte, start, "a number is not written the shortest way"});
     return 0;
+  }
+  std::int64_t signed_varint() {
+    const std::uint64_t v = varint();
+    return static_cast<std::int64_t>(v >> 1) ^ -static_cast<std::int64_t>(v & 1);
   }
   std::span<const std::byte> take(std::uint64_t n) {
     if (!need(n)) return {};

@@ -23,6 +23,18 @@ enum class Clers : std::uint8_t { C = 0, R = 1, L = 2, S = 3, E = 4 };
 template <Clers letter>
 using Letter = std::integral_constant<Clers, letter>;
 
+/// then(Letter<letter>()).
+template <class Then>
+[[gnu::always_inline]] inline auto with_letter(Clers letter, Then&& then) {
+  switch (letter) {
+    case Clers::C: return then(Letter<Clers::C>());
+    case Clers::R: return then(Letter<Clers::R>());
+    case Clers::L: return then(Letter<Clers::L>());
+    case Clers::S: return then(Letter<Clers::S>());
+    default: return then(Letter<Clers::E>());
+  }
+}
+
 /// What the glue of an S means when it is not the usual join of two components (1a).
 enum class SpecialS : std::uint8_t {
   hole = 0,   ///< splits a curve off that stays a boundary (1b)

@@ -10,6 +10,7 @@
 
 #include "codec/edgebreaker.h"
 #include "codec/error.h"
+#include "codec/letter_model.h"
 #include "topology/ids.h"
 #include "topology/mirror.h"
 
@@ -54,10 +55,16 @@ Expected<EncodedConnectivity> encode_connectivity_on_surface(SurfaceArrays surfa
 struct ConnectivityHeader {
   std::uint32_t faces = 0;
   std::uint32_t vertices = 0;  ///< all of them used by faces
-  std::uint32_t merges = 0;
-  unsigned history = 0;
-  std::size_t bytes = 0;  ///< that the header takes
+  std::uint32_t merges = 0;    ///< room for vertices that S merges into others
+  LetterModel model;
+  std::size_t letter_bytes = 0;  ///< that a prefix code takes, before the stream
+  std::size_t bytes = 0;         ///< that the header takes
 };
+
+/// What the header's byte says of the number of merges: 0, 1 .. 7, then steps of an eighth.
+constexpr std::uint64_t room_for_merges(std::uint32_t code) {
+  return code < 8 ? code : std::uint64_t(8 + code % 8) << (code / 8 - 1);
+}
 
 /// Reads and checks the sizes against the bytes, so that memory can be had for them.
 /// `at` is the offset of `bytes` in the file, for errors. Errors: truncated, invalid.

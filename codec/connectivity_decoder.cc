@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <memory>
 #include <new>
+#include <optional>
 
 #include "codec/bytes.h"
 #include "codec/connectivity.h"
@@ -20,12 +22,11 @@ const char* explain(Broken broken) {
     case Broken::c_on_two_edges: return "C where the boundary curve has two edges";
     case Broken::s_without_gate: return "S without a part to join";
     case Broken::curve_too_short: return "a handle on a boundary curve that is too short for it";
-    case Broken::position: return "a hole or handle outside its boundary curve";
+    case Broken::position: return "a hole or handle where no surface has one";
     case Broken::waiting_curve: return "a handle with one end";
     case Broken::gate_left: return "parts that no S joins";
     case Broken::vertex_count: return "fewer vertices than declared";
     case Broken::work: return "more steps along boundary curves than allowed";
-    case Broken::stream: return "the symbols end too early";
   }
   return "";
 }
@@ -33,6 +34,14 @@ const char* explain(Broken broken) {
 Failure<Error> broken_stream(Breakage b) {
   const ErrorCode code = b.broken == Broken::work ? ErrorCode::limit : ErrorCode::invalid;
   return fail(code, Place::symbol, b.symbol, explain(b.broken));
+}
+
+bool repeats_a_vertex(std::span<const std::uint32_t> corners) {
+  for (std::size_t h = 0; h < corners.size(); h += 3)
+    if (corners[h] == corners[h + 1] || corners[h + 1] == corners[h + 2] ||
+        corners[h + 2] == corners[h])
+      return true;
+  return false;
 }
 
 /// The driver makes faces in the opposite order of the one they are given in.
@@ -51,6 +60,46 @@ constexpr bool bookkeeping = true;
 constexpr bool bookkeeping = false;
 #endif
 
+template <class Source>
+Expected<ConnectivityCounts> decode(Source& source, std::uint64_t end,
+                                    const ConnectivityHeader& header,
+                                    std::span<std::uint32_t> corners, std::span<HalfEdge> twins) {
+  if (!source.ok()) throw std::bad_alloc();
+  const std::size_t ids = std::size_t(header.vertices) + header.merges;
+  const std::unique_ptr<FrontLink[]> links(new FrontLink[ids]);
+  Building building;
+  building.corners = corners;
+  building.links = {links.get(), ids};
+
+  Breakage breakage;
+  if (!twins.empty()) {
+    std::vector<HalfEdge> into(ids);
+    Opposites pairing(twins, into);
+    breakage = SpiraleReversi<Opposites, Source>(building, pairing, source).run();
+  } else if constexpr (bookkeeping) {
+    BuildingMirror pairing(ids);
+    breakage = SpiraleReversi<BuildingMirror, Source>(building, pairing, source).run();
+    if (!pairing.agrees)
+      return fail(ErrorCode::internal, "the front and the full surface do not agree");
+  } else {
+    NoPairing pairing;
+    breakage = SpiraleReversi<NoPairing, Source>(building, pairing, source).run();
+  }
+  if (breakage.broken != Broken::none) return broken_stream(breakage);
+  if (building.finished != header.vertices)
+    return broken_stream({Broken::vertex_count, header.faces});
+  if (!source.finished())
+    return fail(ErrorCode::invalid, Place::byte, end, "the symbols do not end where the data end");
+  number_vertices(building);
+  // Only the glue of a hole or handle can bring together two vertices of one face.
+  if (source.counts.coded_holes + source.counts.handles > 0 && repeats_a_vertex(corners))
+    return broken_stream({Broken::position, header.faces});
+  if (!twins.empty()) reverse_faces(twins);
+  source.counts.boundary_curves =
+      source.counts.coded_holes + source.counts.components - source.closed_components;
+  return source.counts;
+}
+
 }  // namespace
 
 Expected<ConnectivityHeader> read_connectivity_header(std::span<const std::byte> bytes,
@@ -62,8 +111,8 @@ Expected<ConnectivityHeader> read_connectivity_header(std::span<const std::byte>
     header.bytes = in.position();
     return header;
   }
-  const std::uint64_t vertices = in.varint(), merges = in.varint();
-  const std::uint32_t history = in.u8();
+  const std::int64_t excess = in.signed_varint();
+  const std::uint32_t room = in.u8(), model_byte = in.u8();
   if (!in.ok()) return Failure{in.error()};
   const auto invalid = [&](std::string what) {
     return fail(ErrorCode::invalid, Place::byte, at, std::move(what));
@@ -72,15 +121,26 @@ Expected<ConnectivityHeader> read_connectivity_header(std::span<const std::byte>
   if (faces > max_symbols_per_byte * in.left())
     return invalid(std::to_string(faces) + " faces cannot be coded in " +
                    std::to_string(in.left()) + " bytes");
-  if (vertices < 3 || vertices > 3 * faces || merges > 3 * faces - vertices)
-    return invalid(std::to_string(vertices) + " vertices and " + std::to_string(merges) +
-                   " merges cannot belong to " + std::to_string(faces) + " faces");
-  if (history < 1 || history > SymbolModel::max_history)
-    return invalid("a history of " + std::to_string(history) + " symbols, expected 1 to 8");
+  const std::int64_t most = 3 * static_cast<std::int64_t>(faces);
+  const std::int64_t twice = std::clamp(excess, -2 * most, 2 * most) + most / 3 + 4;
+  const std::int64_t vertices = twice / 2;
+  if (twice % 2 != 0 || vertices < 3 || vertices > most)
+    return invalid("vertices that cannot belong to " + std::to_string(faces) + " faces");
+  const std::int64_t merges =
+      std::min(static_cast<std::int64_t>(room_for_merges(room)), most - vertices);
+  const std::optional<LetterModel> model = LetterModel::of(model_byte);
+  if (!model) return invalid("no model has the number " + std::to_string(model_byte));
+  header.model = *model;
+  if (model->kind == LetterModel::Kind::code) {
+    const std::uint64_t letter_bytes = in.varint();
+    if (!in.ok()) return Failure{in.error()};
+    if (letter_bytes > in.left()) return invalid("more bytes of letters than there are");
+    if (faces - 1 > 8 * letter_bytes) return invalid("fewer bytes of letters than faces take");
+    header.letter_bytes = static_cast<std::size_t>(letter_bytes);
+  }
   header.faces = static_cast<std::uint32_t>(faces);
   header.vertices = static_cast<std::uint32_t>(vertices);
   header.merges = static_cast<std::uint32_t>(merges);
-  header.history = history;
   header.bytes = in.position();
   return header;
 }
@@ -89,45 +149,15 @@ Expected<ConnectivityCounts> decode_connectivity(std::span<const std::byte> byte
                                                  const ConnectivityHeader& header,
                                                  std::span<std::uint32_t> corners,
                                                  std::span<HalfEdge> twins) try {
-  const std::size_t ids = std::size_t(header.vertices) + header.merges;
   if (header.faces == 0) {
     if (bytes.size() != header.bytes)
       return fail(ErrorCode::invalid, Place::byte, at + header.bytes,
                   "bytes after the last symbol");
     return ConnectivityCounts{};
   }
-  StreamSource source(bytes.subspan(header.bytes), header.history);
-  if (!source.ok()) throw std::bad_alloc();
-  const std::unique_ptr<FrontLink[]> links(new FrontLink[ids]);
-  Building building;
-  building.corners = corners;
-  building.links = {links.get(), ids};
-
-  Breakage breakage;
-  if (!twins.empty()) {
-    std::vector<HalfEdge> into(ids);
-    Opposites pairing(twins, into);
-    breakage = SpiraleReversi<Opposites, StreamSource>(building, pairing, source).run();
-  } else if constexpr (bookkeeping) {
-    BuildingMirror pairing(ids);
-    breakage = SpiraleReversi<BuildingMirror, StreamSource>(building, pairing, source).run();
-    if (!pairing.agrees)
-      return fail(ErrorCode::internal, "the front and the full surface do not agree");
-  } else {
-    NoPairing pairing;
-    breakage = SpiraleReversi<NoPairing, StreamSource>(building, pairing, source).run();
-  }
-  if (breakage.broken != Broken::none) return broken_stream(breakage);
-  if (building.finished != header.vertices || building.merged.size() != header.merges)
-    return broken_stream({Broken::vertex_count, header.faces});
-  if (!source.finished())
-    return fail(ErrorCode::invalid, Place::byte, at + bytes.size(),
-                "the symbols do not end where the data end");
-  number_vertices(building);
-  if (!twins.empty()) reverse_faces(twins);
-  source.counts.boundary_curves =
-      source.counts.coded_holes + source.counts.components - source.closed_components;
-  return source.counts;
+  return with_stream_source(header, bytes, [&](auto& source) {
+    return decode(source, at + bytes.size(), header, corners, twins);
+  });
 } catch (const std::bad_alloc&) {
   return fail(ErrorCode::out_of_memory, "not enough memory for the connectivity");
 }

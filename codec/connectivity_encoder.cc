@@ -5,6 +5,8 @@
 #include "codec/bytes.h"
 #include "codec/connectivity.h"
 #include "codec/event_model.h"
+#include "codec/mixing_model.h"
+#include "codec/prefix_code.h"
 #include "codec/rans.h"
 #include "codec/spirale_reversi.h"
 #include "codec/symbol_model.h"
@@ -19,6 +21,7 @@ struct Event {
   std::uint32_t symbol;  ///< comes after this one, counted in the order of decoding
   Kind kind;
   bool value = false;          ///< new_component, closed, special
+  bool two_edges = false;      ///< new_component
   std::uint32_t curve = 0;     ///< split, join: number of the curve that is split off
   std::uint32_t distance = 0;  ///< split: edges back to the split; join: position on the curve
   std::uint32_t length = 0;    ///< split, join: edges of the curve walked on
@@ -47,23 +50,16 @@ class RecordingSource {
   }
 
   void first() { step(0); }
-  template <class Then>
-  [[gnu::always_inline]] auto symbol(std::uint32_t kx, Then then) {
-    step(kx);
-    switch (traversal_.letters[index_]) {
-      case Clers::C: return then(Letter<Clers::C>());
-      case Clers::R: return then(Letter<Clers::R>());
-      case Clers::L: return then(Letter<Clers::L>());
-      case Clers::S: return then(Letter<Clers::S>());
-      default: return then(Letter<Clers::E>());
-    }
+  template <class Front, class Gate, class Then>
+  [[gnu::always_inline]] auto symbol(const Front&, const Gate& gate, std::size_t, Then then) {
+    step(gate.kx);
+    return with_letter(traversal_.letters[index_], then);
   }
-  bool overrun() const { return false; }
 
-  bool new_component() {
+  bool new_component(bool two_edges) {
     // Letters come last to first: a component ends where the one decoded before it started.
     const bool value = traversal_.starts[next_start_ - 1].index == index_ + 1;
-    events.push_back({done(), Event::Kind::new_component, value});
+    events.push_back({done(), Event::Kind::new_component, value, two_edges});
     return value;
   }
   bool closed() {
@@ -95,7 +91,7 @@ class RecordingSource {
       waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(w));
       position_ = 0;
       for (std::uint32_t v = waiting[w]; v != q; v = links[v].prev) ++position_;
-      events.push_back({done(), Event::Kind::join, false, curve, position_, 0});
+      events.push_back({done(), Event::Kind::join, false, false, curve, position_, 0});
       return SpecialS::join;
     }
     const std::uint32_t number = curves_++;
@@ -108,7 +104,7 @@ class RecordingSource {
       ++distance_;
     }
     waiting_.push_back(number);
-    events.push_back({done(), Event::Kind::split, false, number, distance_, 0});
+    events.push_back({done(), Event::Kind::split, false, false, number, distance_, 0});
     return SpecialS::split;
   }
   /// Holes show at the component's end. Asked for one before, no length is right.
@@ -132,7 +128,7 @@ class RecordingSource {
 
   void step(std::uint32_t kx) {
     --index_;
-    contexts[done()] = static_cast<std::uint8_t>(std::min(kx, SymbolModel::max_valence) << 3 |
+    contexts[done()] = static_cast<std::uint8_t>(std::min(kx, ContextTables::max_valence) << 3 |
                                                  static_cast<unsigned>(traversal_.letters[index_]));
   }
   std::uint32_t done() const { return faces_ - 1 - index_; }
@@ -163,73 +159,6 @@ class RecordingSource {
   std::uint32_t recency_ = 0, position_ = 0, distance_ = 0;
 };
 
-/// Tells events to a stream. A curve that was split off and never joined is a hole.
-class EventWriter {
- public:
-  EventWriter(const std::vector<Event>& events, std::uint32_t curves)
-      : events_(events), joined_(curves) {
-    for (const Event& e : events)
-      if (e.kind == Event::Kind::join) joined_[e.curve] = true;
-  }
-
-  template <class Coder>
-  void write_after(std::uint32_t symbol, Coder& coder) {
-    for (; next_ < events_.size() && events_[next_].symbol == symbol; ++next_)
-      write(events_[next_], coder);
-  }
-
-  std::uint32_t next_symbol() const {
-    return next_ < events_.size() ? events_[next_].symbol : 0xffffffffu;
-  }
-  std::uint64_t handles = 0, splits = 0, holes = 0, closed = 0, steps = 0;
-
- private:
-  template <class Coder>
-  void write(const Event& e, Coder& coder) {
-    switch (e.kind) {
-      case Event::Kind::new_component: model_.new_component(coder, e.value); break;
-      case Event::Kind::closed:
-        model_.closed(coder, e.value);
-        closed += e.value;
-        break;
-      case Event::Kind::special: model_.special(coder, e.value); break;
-      case Event::Kind::split: {
-        const SpecialS kind = joined_[e.curve] ? SpecialS::split : SpecialS::hole;
-        model_.kind(coder, !waiting_.empty(), kind);
-        steps += e.distance;
-        if (kind == SpecialS::hole) {
-          model_.hole_length(coder, e.distance);
-          ++holes;
-        } else {
-          model_.split_distance(coder, e.length, e.distance);
-          waiting_.push_back(e.curve);
-          steps += e.length;
-          ++splits;
-        }
-        break;
-      }
-      case Event::Kind::join: {
-        model_.kind(coder, true, SpecialS::join);
-        std::size_t w = waiting_.size() - 1;
-        while (waiting_[w] != e.curve) --w;
-        model_.join_curve(coder, static_cast<std::uint32_t>(waiting_.size()),
-                          static_cast<std::uint32_t>(waiting_.size() - 1 - w));
-        waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(w));
-        model_.join_position(coder, e.length, e.distance);
-        steps += 2 * std::uint64_t(e.length);
-        ++handles;
-        break;
-      }
-    }
-  }
-
-  const std::vector<Event>& events_;
-  std::vector<bool> joined_;
-  std::vector<std::uint32_t> waiting_;
-  EventModel model_;
-  std::size_t next_ = 0;
-};
-
 /// log2(32768 / size) in 1/256 bits, for comparing models: a linear mantissa is near enough.
 std::uint32_t cost(std::uint32_t size) {
   const unsigned exponent = static_cast<unsigned>(std::bit_width(size)) - 1;
@@ -237,36 +166,300 @@ std::uint32_t cost(std::uint32_t size) {
   return (15 - exponent) * 256 - (mantissa >> 7);
 }
 
-/// The history length that codes these symbols in the fewest bits, judged by a part of them at the
-/// front: the first quarter of that part is for learning when there is more behind it.
-unsigned choose_history(std::span<const std::uint8_t> contexts, int level) {
-  struct Candidate {
-    unsigned history;
-    std::size_t least_symbols;  ///< fewer do not pay for clearing its table
-  };
-  constexpr Candidate candidates[] = {{1, 0}, {3, 64}, {4, 1024}, {6, 1024}, {8, 1024}};
-  if (level < 3) return 3;
-  const std::size_t end =
-      std::min(contexts.size(), std::clamp<std::size_t>(contexts.size() / 4, 1u << 14, 1u << 16));
-  const std::size_t begin = end < contexts.size() ? end / 4 : 1;
-  unsigned best = 1;
-  std::uint64_t least = ~std::uint64_t(0);
-  for (const auto [history, least_symbols] : candidates) {
-    if (contexts.size() < least_symbols) break;
-    SymbolModel model(history);
-    if (!model.ok()) throw std::bad_alloc();
-    std::uint64_t total = 0;
-    for (std::size_t i = 1; i < end; ++i) {
-      const rans::Interval interval =
-          model.encode(static_cast<Clers>(contexts[i] & 7), contexts[i] >> 3);
-      if (i >= begin) total += cost(interval.size);
-    }
-    if (total < least) {
-      least = total;
-      best = history;
+/// The answers that a decoder will need, in the order in which it asks, told to a stream. A curve
+/// that was split off and never joined is a hole.
+class Answers {
+  const Event& event() const { return events_[next_]; }
+
+  template <class Code>
+  auto count_special(std::size_t first, Code code) {
+    const auto value = code();
+    for (std::size_t k = first; k < out_.intervals().size(); ++k)
+      special_cost += cost(out_.intervals()[k].size);
+    return value;
+  }
+
+ public:
+  static constexpr bool resolves = false;
+
+  Answers(const std::vector<Event>& events, std::uint32_t curves, rans::Encoder& out)
+      : events_(events), joined_(curves), coder_(out), out_(out) {
+    for (const Event& e : events)
+      if (e.kind == Event::Kind::join) joined_[e.curve] = true;
+  }
+
+  /// The next letter is about to be told.
+  void letter_begins() { letter_ = out_.intervals().size(); }
+
+  /// All that come after a symbol.
+  void write_after(std::uint32_t symbol) {
+    while (next_symbol() == symbol) {
+      switch (event().kind) {
+        case Event::Kind::new_component: new_component(event().two_edges); break;
+        case Event::Kind::closed: closed(); break;
+        case Event::Kind::special: special(); break;
+        case Event::Kind::split:
+        case Event::Kind::join:
+          switch (kind()) {
+            case SpecialS::hole: hole_length(); break;
+            case SpecialS::split: split_distance(event().length); break;
+            case SpecialS::join:
+              join_curve(static_cast<std::uint32_t>(waiting_.size()));
+              join_position(event().length);
+              break;
+          }
+          break;
+      }
     }
   }
+
+  std::uint32_t next_symbol() const {
+    return next_ < events_.size() ? event().symbol : 0xffffffffu;
+  }
+
+  bool new_component(bool two_edges) {
+    return model_.new_component(coder_, two_edges, events_[next_++].value);
+  }
+  bool closed() {
+    const bool value = model_.closed(coder_, events_[next_++].value);
+    closed_components += value;
+    return value;
+  }
+  void component_ended() {}
+  bool special() { return model_.special(coder_, events_[next_++].value); }
+  SpecialS kind() {
+    return count_special(letter_, [&] {
+      const SpecialS kind = event().kind == Event::Kind::join ? SpecialS::join
+                            : joined_[event().curve]          ? SpecialS::split
+                                                              : SpecialS::hole;
+      return model_.kind(coder_, !waiting_.empty(), kind);
+    });
+  }
+  std::uint64_t hole_length() {
+    return count_special(out_.intervals().size(), [&] {
+      const Event& e = events_[next_++];
+      ++holes;
+      steps += e.distance;
+      return model_.hole_length(coder_, e.distance);
+    });
+  }
+  std::uint64_t split_distance(std::uint64_t n) {
+    return count_special(out_.intervals().size(), [&] {
+      const Event& e = events_[next_++];
+      waiting_.push_back(e.curve);
+      steps += n + e.distance;
+      return model_.split_distance(coder_, n, e.distance);
+    });
+  }
+  std::uint32_t join_curve(std::uint32_t waiting) {
+    return count_special(out_.intervals().size(), [&] {
+      std::size_t w = waiting_.size() - 1;
+      while (waiting_[w] != event().curve) --w;
+      const std::size_t recency = waiting_.size() - 1 - w;
+      waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(w));
+      return model_.join_curve(coder_, waiting, static_cast<std::uint32_t>(recency));
+    });
+  }
+  std::uint32_t join_position(std::uint32_t n) {
+    return count_special(out_.intervals().size(), [&] {
+      const Event& e = events_[next_++];
+      ++handles;
+      steps += 2 * std::uint64_t(n);
+      return model_.join_position(coder_, n, e.distance);
+    });
+  }
+
+  std::uint64_t handles = 0, holes = 0, closed_components = 0;
+  std::uint64_t steps = 0;         ///< that decoding takes along boundary curves
+  std::uint64_t special_cost = 0;  ///< of holes and handles with their letters, in 1/256 bits
+
+ private:
+  const std::vector<Event>& events_;
+  std::vector<bool> joined_;
+  std::vector<std::uint32_t> waiting_;
+  EncodeTo coder_;
+  rans::Encoder& out_;
+  EventModel model_;
+  std::size_t next_ = 0;
+  std::size_t letter_ = 0;  ///< where the last letter begins
+};
+
+/// Tells letters and answers while the surface is built once more, with all that the decoder will
+/// know of it.
+class TellingSource : public Answers {
+ public:
+  TellingSource(const Traversal& traversal, const RecordingSource& record, std::size_t ids,
+                rans::Encoder& out)
+      : Answers(record.events, record.curves(), out),
+        letters_(traversal.letters),
+        left_(letters_.size()),
+        coder_(out),
+        model_(letters_.size(), ids) {}
+
+  void first() { --left_; }
+  template <class Front, class Gate, class Then>
+  auto symbol(const Front& front, const Gate& gate, std::size_t aside, Then then) {
+    letter_begins();
+    const Clers letter = letters_[--left_];
+    model_.code(coder_, front, gate, aside, letter);
+    return with_letter(letter, then);
+  }
+  template <class Front, class Gate>
+  SpecialS kind(const Front&, const Gate&, std::span<const std::uint32_t>) {
+    return Answers::kind();
+  }
+
+ private:
+  const std::vector<Clers>& letters_;
+  std::size_t left_;
+  EncodeTo coder_;
+  MixingModel model_;
+};
+
+/// Part of a long string: runs of it from all over, one after the other.
+std::vector<std::uint8_t> sample(const std::vector<std::uint8_t>& contexts) {
+  constexpr std::size_t runs = 8, least = 1u << 15, most = 1u << 17;
+  const std::size_t size = std::clamp(contexts.size() / 4, least, most);
+  if (size >= contexts.size()) return contexts;
+  std::vector<std::uint8_t> part;
+  part.reserve(size);
+  for (std::size_t r = 0; r < runs; ++r) {
+    const auto first = contexts.begin() + static_cast<std::ptrdiff_t>(
+                                              (contexts.size() - size / runs) * r / (runs - 1));
+    part.insert(part.end(), first, first + static_cast<std::ptrdiff_t>(size / runs));
+  }
+  return part;
+}
+
+/// What these letters cost from `from` on, in 1/256 bits.
+template <class Model>
+std::uint64_t cost_of(std::span<const std::uint8_t> contexts, std::size_t from, Model model) {
+  if (!model.ok()) throw std::bad_alloc();
+  std::uint64_t total = 0;
+  for (std::size_t i = 1; i < contexts.size(); ++i) {
+    const std::uint32_t size =
+        model.encode(static_cast<Clers>(contexts[i] & 7), contexts[i] >> 3).size;
+    if (i >= from) total += cost(size);
+  }
+  return total;
+}
+
+/// The model of a level that codes these letters in the fewest bits.
+LetterModel choose_model(const std::vector<std::uint8_t>& contexts, int level) {
+  using Kind = LetterModel::Kind;
+  if (level < 3) return {Kind::code, 0};
+  if (level >= 9) return {Kind::mixing, 0};
+  const std::vector<std::uint8_t> part = sample(contexts);
+  // Where there is more than the sample, what it takes to learn matters less than in it.
+  const std::size_t from = part.size() < contexts.size() ? part.size() / 4 : 1;
+  LetterModel best;
+  std::uint64_t least = ~std::uint64_t(0);
+  const auto judge = [&](LetterModel m) {
+    const bool quick = m.kind == Kind::quick_pair;
+    const std::uint64_t total = m.kind == Kind::single
+                                    ? cost_of(part, from, SingleModel(m.history))
+                                    : cost_of(part, from, PairModel(m.history, quick));
+    if (total >= least) return;
+    least = total;
+    best = m;
+  };
+  // Longer histories while they pay, else the shortest.
+  const Kind kind = level < 5 ? Kind::single : Kind::pair;
+  judge({kind, 3});
+  if (contexts.size() < 64) return best;
+  for (const unsigned k : {4u, 6u, 8u}) {
+    judge({kind, k});
+    if (best.history != k) break;
+  }
+  if (best.history == 3) judge({kind, 1});
+  if (kind == Kind::pair && best.history > 4) judge({Kind::quick_pair, best.history});
   return best;
+}
+
+/// What follows the header, and what it tells of.
+struct Told {
+  LetterModel model;
+  Bytes bytes;
+  std::uint64_t handles = 0, holes = 0, closed_components = 0, steps = 0, special_cost = 0;
+};
+
+/// Tells the letters and answers with a model.
+Told tell(LetterModel model, const Traversal& traversal, const RecordingSource& record,
+          std::size_t ids) {
+  Told told;
+  told.model = model;
+  rans::Encoder stream;
+  const auto finish = [&](const Answers& answers) {
+    told.handles = answers.handles;
+    told.holes = answers.holes;
+    told.closed_components = answers.closed_components;
+    told.steps = answers.steps;
+    told.special_cost = answers.special_cost;
+    stream.finish(told.bytes);
+  };
+  const std::size_t faces = record.contexts.size();
+  if (model.kind == LetterModel::Kind::mixing) {
+    std::vector<std::uint32_t> corners(3 * faces);
+    std::vector<FrontLink> links(ids);
+    Building building;
+    building.corners = corners;
+    building.links = links;
+    NoPairing none;
+    TellingSource source(traversal, record, ids, stream);
+    const Breakage breakage =
+        SpiraleReversi<NoPairing, TellingSource>(building, none, source).run();
+    finish(source);
+    // It took more steps than a decoder may.
+    if (breakage.broken != Broken::none) told.steps = ~std::uint64_t(0);
+    return told;
+  }
+  Answers answers(record.events, record.curves(), stream);
+  // put(letter, valence) for each, and the answers where they are asked for.
+  const auto tell_all = [&](auto put) {
+    std::uint32_t next = answers.next_symbol();
+    for (std::uint32_t i = 0; i < faces; ++i) {
+      if (i == next) answers.letter_begins();
+      if (i > 0) put(static_cast<Clers>(record.contexts[i] & 7), record.contexts[i] >> 3);
+      if (i == next) {
+        answers.write_after(i);
+        next = answers.next_symbol();
+      }
+    }
+  };
+  const auto tell_with = [&](auto letters) {
+    if (!letters.ok()) throw std::bad_alloc();
+    stream.reserve(faces + 4 * record.events.size());
+    tell_all([&](Clers letter, std::uint32_t kx) { stream.put(letters.encode(letter, kx)); });
+  };
+  switch (model.kind) {
+    case LetterModel::Kind::single: tell_with(SingleModel(model.history)); break;
+    case LetterModel::Kind::code: {
+      Bytes code;
+      LetterWriter letters(code);
+      tell_all([&](Clers letter, std::uint32_t) { letters.put(letter); });
+      letters.finish();
+      put_varint(told.bytes, code.size());
+      put_bytes(told.bytes, code);
+      break;
+    }
+    default:
+      tell_with(PairModel(model.history, model.kind == LetterModel::Kind::quick_pair));
+      break;
+  }
+  finish(answers);
+  if (model.kind == LetterModel::Kind::code)  // the letters S, 4 bits each
+    told.special_cost += 4 * 256 * (told.holes + 2 * told.handles);
+  return told;
+}
+
+void put_header(Bytes& out, std::uint32_t faces, std::uint32_t vertices, std::uint32_t merges,
+                LetterModel model) {
+  put_varint(out, faces);
+  put_signed_varint(out, 2 * std::int64_t(vertices) - faces - 4);
+  std::uint32_t room = 0;
+  while (room_for_merges(room) < merges) ++room;
+  put_u8(out, room);
+  put_u8(out, model.byte());
 }
 
 /// What comes of a vertex of several fans: a surface has a vertex for each.
@@ -336,51 +529,40 @@ Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorT
       return fail(ErrorCode::internal, "the fast operators and the full surface do not agree");
     if (trace) *trace = std::move(witness.trace);
   }
-  number_vertices(building);
 
-  const unsigned history = choose_history(source.contexts, level);
-  SymbolModel model(history);
-  if (!model.ok()) throw std::bad_alloc();
-  rans::Encoder stream;
-  stream.reserve(faces + 4 * source.events.size());
-  EncodeTo coder(stream);
-  EventWriter events(source.events, source.curves());
-  for (std::uint32_t i = 0; i < faces; ++i) {
-    if (i > 0) {
-      const std::uint8_t c = source.contexts[i];
-      const rans::Interval interval = model.encode(static_cast<Clers>(c & 7), c >> 3);
-      stream.put(interval);
-    }
-    if (events.next_symbol() == i) {
-      const std::size_t first = stream.intervals().size();
-      const std::uint64_t specials = events.handles + events.holes + events.splits;
-      events.write_after(i, coder);
-      const bool special = specials < events.handles + events.holes + events.splits;
-      for (std::size_t k = first - special; k < stream.intervals().size(); ++k)
-        result.special_cost += cost(stream.intervals()[k].size);
-    }
+  const LetterModel chosen = choose_model(source.contexts, level);
+  Told told = tell(chosen, traversal, source, ids);
+  // The most thorough model does not pay for the smallest meshes.
+  if (chosen.kind == LetterModel::Kind::mixing) {
+    Told other = tell(choose_model(source.contexts, level - 1), traversal, source, ids);
+    if (other.bytes.size() < told.bytes.size()) told = std::move(other);
   }
-  if (events.steps > allowed_steps(faces))
+  if (told.steps > allowed_steps(faces))
     return fail(
         ErrorCode::limit,
         "the handles of this mesh are so long that decoding would take more than the format's "
         "1024 steps a face");
-
-  put_varint(result.bytes, faces);
-  put_varint(result.bytes, building.finished);
-  put_varint(result.bytes, merges);
-  put_u8(result.bytes, history);
-  stream.finish(result.bytes);
-
+  put_header(result.bytes, faces, building.finished, static_cast<std::uint32_t>(merges),
+             told.model);
+  put_bytes(result.bytes, told.bytes);
+  result.special_cost = told.special_cost;
   result.counts.components = traversal.starts.size();
-  result.counts.handles = events.handles;
-  result.counts.coded_holes = events.holes;
-  result.counts.boundary_curves = events.holes + traversal.starts.size() - events.closed;
+  result.counts.handles = told.handles;
+  result.counts.coded_holes = told.holes;
+  result.counts.boundary_curves = told.holes + traversal.starts.size() - told.closed_components;
+
+  resolve_merges(building);
   result.vertices.resize(building.finished);
-  for (std::uint32_t i = 0; i < faces; ++i) {
-    HalfEdge h = traversal.gates[i];
-    for (unsigned side = 0; side < 3; ++side, h = lnext(h))
-      result.vertices[corners[3 * std::size_t(i) + side]] = surface.org[h.index()];
+  std::uint32_t id = 0;
+  const auto number = [&](HalfEdge corner) {
+    result.vertices[building.finished - 1 - links[id++].prev] = surface.org[corner.index()];
+  };
+  for (std::uint32_t i = faces; i-- > 0;) {  // vertices as they were made: by E, L and R
+    const HalfEdge gate = traversal.gates[i];
+    const Clers letter = traversal.letters[i];
+    if (letter == Clers::E || letter == Clers::L) number(gate);
+    if (letter == Clers::E || letter == Clers::R) number(lnext(gate));
+    if (letter == Clers::E) number(lprev(gate));
   }
   std::vector<bool> numbered(surface.vertex_count);
   for (const std::uint32_t v : result.vertices) {

@@ -38,9 +38,13 @@ class EncodeTo {
  public:
   explicit EncodeTo(rans::Encoder& out) : out_(&out) {}
   bool bit(BitModel& model, bool value) {
-    const std::uint32_t one = model.share();
-    value ? out_->put(0, one) : out_->put(one, rans::scale - one);
+    decide(model.share(), value);
     model.update(value);
+    return value;
+  }
+  /// A decision whose answer yes has the given share of rans::scale, neither none nor all of it.
+  bool decide(std::uint32_t share, bool value) {
+    value ? out_->put(0, share) : out_->put(share, rans::scale - share);
     return value;
   }
   /// One of 2^n equally likely values, n <= 14.
@@ -58,10 +62,13 @@ class DecodeFrom {
  public:
   explicit DecodeFrom(rans::Decoder& in) : in_(&in) {}
   bool bit(BitModel& model, bool) {
-    const std::uint32_t one = model.share();
-    const bool value = in_->slot() < one;
-    value ? in_->advance(0, one) : in_->advance(one, rans::scale - one);
+    const bool value = decide(model.share(), false);
     model.update(value);
+    return value;
+  }
+  bool decide(std::uint32_t share, bool) {
+    const bool value = in_->slot() < share;
+    value ? in_->advance(0, share) : in_->advance(share, rans::scale - share);
     return value;
   }
   std::uint32_t raw(unsigned n, std::uint32_t) {
@@ -126,10 +133,14 @@ std::uint32_t code_uniform(Coder& coder, std::uint32_t n, std::uint32_t value) {
 /// What is coded at the places in the symbol string where something other than a symbol is told.
 class EventModel {
  public:
-  /// At an E with no gate put aside: is it the first triangle of another component?
+  /// At an E with no gate put aside: is it the first triangle of another component? Depends on
+  /// whether the gate's curve has two edges only, and on the last three answers: components that
+  /// are copies of each other give the same answers again.
   template <class Coder>
-  bool new_component(Coder& c, bool value) {
-    return c.bit(new_component_, value);
+  bool new_component(Coder& c, bool two_edges, bool value) {
+    const bool answer = c.bit(new_component_[two_edges][answers_], value);
+    answers_ = (answers_ << 1 | answer) & 7;
+    return answer;
   }
 
   /// At the end of a component whose last curve has two edges: are they glued?
@@ -180,8 +191,9 @@ class EventModel {
   }
 
  private:
-  BitModel new_component_, closed_, special_, join_, split_[2], split_back_;
+  BitModel new_component_[2][8], closed_, special_, join_, split_[2], split_back_;
   NumberModel hole_, distance_, recency_;
+  unsigned answers_ = 0;
 };
 
 }  // namespace clers

@@ -14,7 +14,8 @@ namespace clers::rans {
 
 inline constexpr unsigned scale_bits = 15;
 inline constexpr std::uint32_t scale = 1u << scale_bits;
-inline constexpr std::uint32_t low = 1u << 16;  ///< state of an empty coder; never below
+inline constexpr std::uint32_t low = 1u << 16;  ///< below it the state takes in a word, if any
+inline constexpr std::uint32_t first_state = 1u << 8;  ///< of the encoder, and the decoder's last
 
 /// The share [start, start + size) of `scale` that stands for what is coded. 0 < size < scale.
 struct Interval {
@@ -33,11 +34,12 @@ class Encoder {
 
   const std::vector<Interval>& intervals() const { return intervals_; }
 
-  /// Appends the stream: the state, then the words. Cost: one division an interval.
+  /// Appends the stream: the state in as few bytes as it needs, lowest first, then the words. Cost:
+  /// one division an interval.
   void finish(std::vector<std::byte>& out) const {
     std::vector<std::uint16_t> words;
     words.reserve(intervals_.size() / 8 + 16);
-    std::uint32_t state = low;
+    std::uint32_t state = first_state;
     for (std::size_t i = intervals_.size(); i-- > 0;) {
       const Interval s = intervals_[i];
       if (state >= std::uint32_t(s.size) << (32 - scale_bits)) {
@@ -47,13 +49,11 @@ class Encoder {
       const std::uint32_t quotient = state / s.size;
       state = (quotient << scale_bits) + (state - quotient * s.size) + s.start;
     }
-    const std::size_t old = out.size();
-    out.resize(old + 4 + 2 * words.size());
-    std::byte* p = out.data() + old;
-    for (unsigned shift = 0; shift < 32; shift += 8) *p++ = static_cast<std::byte>(state >> shift);
+    out.reserve(out.size() + 4 + 2 * words.size());
+    for (; state != 0; state >>= 8) out.push_back(static_cast<std::byte>(state));
     for (std::size_t i = words.size(); i-- > 0;) {
-      *p++ = static_cast<std::byte>(words[i]);
-      *p++ = static_cast<std::byte>(words[i] >> 8);
+      out.push_back(static_cast<std::byte>(words[i]));
+      out.push_back(static_cast<std::byte>(words[i] >> 8));
     }
   }
 
@@ -61,40 +61,34 @@ class Encoder {
   std::vector<Interval> intervals_;
 };
 
-/// Reads a stream of known length. Past its end it reads zeros and remembers: callers bound their
-/// own loops and ask finished() once.
+/// Reads a stream of known length. With no word left the state sinks below `low`: what is read of a
+/// stream that ends too early is wrong, so callers bound their own loops and ask finished() once.
 class Decoder {
  public:
   explicit Decoder(std::span<const std::byte> bytes)
       : next_(bytes.data()), end_(bytes.data() + bytes.size()) {
-    if (bytes.size() < 4 || bytes.size() % 2 != 0) {
-      next_ = end_;
-      overrun_ = 1;
-      return;
-    }
-    state_ = word() | std::uint32_t(word()) << 16;
+    // Where there are words the state is at least `low`: three bytes of it, or four.
+    const std::size_t n = bytes.size();
+    const std::size_t size = n <= 4 ? n : n % 2 != 0 ? 3 : 4;
+    for (unsigned i = 0; i < size; ++i) state_ |= std::to_integer<std::uint32_t>(*next_++) << 8 * i;
+    canonical_ = size > 0 && state_ >> 8 * (size - 1) != 0;
   }
 
   /// Where in [0, scale) the next interval lies.
   std::uint32_t slot() const { return state_ & (scale - 1); }
 
   /// Goes past the interval that slot() lies in.
-  void advance(std::uint32_t start, std::uint32_t size) {
+  [[gnu::always_inline]] void advance(std::uint32_t start, std::uint32_t size) {
     state_ = size * (state_ >> scale_bits) + slot() - start;
-    if (state_ < low) state_ = state_ << 16 | word();
+    if (state_ < low && next_ != end_) state_ = state_ << 16 | word();
   }
 
-  /// Everything was read and the state is the encoder's first: a wrong stream passes by chance
-  /// only.
-  bool finished() const { return next_ == end_ && overrun_ == 0 && state_ == low; }
-  bool overrun() const { return overrun_ != 0; }
+  /// Everything was read and the state is the encoder's first: then no other stream decodes to the
+  /// same.
+  bool finished() const { return next_ == end_ && state_ == first_state && canonical_; }
 
  private:
   std::uint32_t word() {
-    if (next_ == end_) {
-      overrun_ = 1;
-      return 0;
-    }
     const std::uint32_t w =
         std::to_integer<std::uint32_t>(next_[0]) | std::to_integer<std::uint32_t>(next_[1]) << 8;
     next_ += 2;
@@ -103,8 +97,8 @@ class Decoder {
 
   const std::byte* next_;
   const std::byte* end_;
-  std::uint32_t state_ = low;
-  std::uint32_t overrun_ = 0;
+  std::uint32_t state_ = 0;
+  bool canonical_;
 };
 
 }  // namespace clers::rans

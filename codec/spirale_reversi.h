@@ -31,7 +31,6 @@ enum class Broken : std::uint8_t {
   gate_left,          ///< the string ends while gates are put aside
   vertex_count,       ///< fewer vertices were made than declared
   work,               ///< more steps along boundary curves than allowed
-  stream,             ///< the symbols ran out
 };
 
 /// What builds up while decoding. All memory is the caller's.
@@ -90,7 +89,7 @@ class SpiraleReversi {
 
     for (std::uint32_t i = 1; i < faces; ++i) {
       const Broken broken = source_.symbol(
-          gate.kx, [&](auto letter) __attribute__((always_inline)) {
+          front, gate, aside_.size(), [&](auto letter) __attribute__((always_inline)) {
             if constexpr (letter() == Clers::C) {
               const std::uint32_t x = gate.x;
               if (front.prev(x) == gate.y) return Broken::c_on_two_edges;
@@ -115,9 +114,8 @@ class SpiraleReversi {
                 c = step.corners;
               }
             } else {
-              if (source_.overrun()) return Broken::stream;
               if (ids - made < 3) return Broken::too_many_vertices;
-              if (!aside_.empty() || !source_.new_component()) {
+              if (!aside_.empty() || !source_.new_component(front.prev(gate.x) == gate.y)) {
                 aside_.push_back(gate);
               } else if (!waiting_is_over()) {
                 return Broken::waiting_curve;
@@ -135,7 +133,6 @@ class SpiraleReversi {
     if (!aside_.empty()) return {Broken::gate_left, faces};
     if (!waiting_is_over()) return {Broken::waiting_curve, faces};
     to_.finished = end_component(gate, finished);
-    if (made != ids) return {Broken::vertex_count, faces};
     return {};
   }
 
@@ -168,7 +165,6 @@ class SpiraleReversi {
 
   /// The end q of the edge that a special S glues to.
   Broken special_vertex(Gate gate, std::uint32_t& q, HandleCase& as) {
-    if (source_.overrun()) return Broken::stream;
     FrontLink* const links = to_.links.data();
     switch (source_.kind(front_, gate, waiting_)) {
       case SpecialS::hole: {
@@ -277,15 +273,21 @@ class SpiraleReversi {
   std::uint64_t steps_left_ = 0;
 };
 
-/// Turns the ids of the construction into vertex numbers, 0 .. finished-1: latest finished first,
-/// so that numbers grow along the faces. Cost: one look-up a corner.
-inline void number_vertices(Building& b) {
+/// Afterwards links[v].prev = how many finished before v, of merged vertices too.
+inline void resolve_merges(Building& b) {
   FrontLink* const links = b.links.data();
   for (std::size_t i = b.merged.size(); i-- > 0;) {
     FrontLink& gone = links[b.merged[i]];
     gone.prev =
         links[gone.prev].prev;  // what it merged into died later or never: it has its number
   }
+}
+
+/// Turns the ids of the construction into vertex numbers, 0 .. finished-1: latest finished first,
+/// so that numbers grow along the faces. Cost: one look-up a corner.
+inline void number_vertices(Building& b) {
+  resolve_merges(b);
+  const FrontLink* const links = b.links.data();
   const std::uint32_t last = b.finished - 1;
   for (std::uint32_t& corner : b.corners) corner = last - links[corner].prev;
 }

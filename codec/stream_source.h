@@ -5,42 +5,54 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "codec/clers.h"
 #include "codec/connectivity.h"
 #include "codec/event_model.h"
+#include "codec/letter_model.h"
+#include "codec/mixing_model.h"
+#include "codec/prefix_code.h"
 #include "codec/rans.h"
 #include "codec/symbol_model.h"
 
 namespace clers {
 
 /// The decoder's side of codec/format.md, "Symbols" and "Events".
+template <class Model>
 class StreamSource {
  public:
   static constexpr bool resolves = false;
 
-  StreamSource(std::span<const std::byte> stream, unsigned history)
-      : in_(stream), symbols_(history) {}
+  /// `letters` is what the model is made from.
+  template <class... Letters>
+  explicit StreamSource(std::span<const std::byte> stream, Letters... letters)
+      : in_(stream), symbols_(letters...) {}
 
   bool ok() const { return symbols_.ok(); }
   void first() {
     ++counts.components;
     ++counts.letters[static_cast<unsigned>(Clers::E)];
   }
-  template <class Then>
-  [[gnu::always_inline]] auto symbol(std::uint32_t kx, Then then) {
+  template <class Front, class Gate, class Then>
+  [[gnu::always_inline]] auto symbol(const Front& front, const Gate& gate, std::size_t aside,
+                                     Then then) {
     return symbols_.decode(
-        in_, kx, [&](auto letter) __attribute__((always_inline)) {
+        in_, front, gate, aside, [&](auto letter) __attribute__((always_inline)) {
           ++counts.letters[static_cast<unsigned>(letter())];
           return then(letter);
         });
   }
-  bool overrun() const { return in_.overrun(); }
-  bool finished() const { return in_.finished(); }
+  bool finished() const {
+    if constexpr (std::is_same_v<Model, PrefixCode>)
+      return symbols_.finished() && in_.finished();
+    else
+      return in_.finished();
+  }
 
-  bool new_component() {
+  bool new_component(bool two_edges) {
     DecodeFrom coder(in_);
-    const bool value = events_.new_component(coder, false);
+    const bool value = events_.new_component(coder, two_edges, false);
     counts.components += value;
     return value;
   }
@@ -85,9 +97,39 @@ class StreamSource {
 
  private:
   rans::Decoder in_;
-  SymbolModel symbols_;
+  Model symbols_;
   EventModel events_;
 };
+
+/// use(source) with the source that the header of connectivity asks for; `bytes` are all of it.
+template <class Use>
+auto with_stream_source(const ConnectivityHeader& header, std::span<const std::byte> bytes,
+                        Use use) {
+  const auto stream = bytes.subspan(header.bytes);
+  const LetterModel model = header.model;
+  switch (model.kind) {
+    case LetterModel::Kind::single: {
+      StreamSource<SingleModel> source(stream, model.history);
+      return use(source);
+    }
+    case LetterModel::Kind::pair:
+    case LetterModel::Kind::quick_pair: {
+      StreamSource<PairModel> source(stream, model.history,
+                                     model.kind == LetterModel::Kind::quick_pair);
+      return use(source);
+    }
+    case LetterModel::Kind::mixing: {
+      StreamSource<MixingModel> source(stream, std::size_t(header.faces),
+                                       std::size_t(header.vertices) + header.merges);
+      return use(source);
+    }
+    default: {
+      StreamSource<PrefixCode> source(stream.subspan(header.letter_bytes),
+                                      stream.first(header.letter_bytes));
+      return use(source);
+    }
+  }
+}
 
 }  // namespace clers
 

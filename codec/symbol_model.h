@@ -8,6 +8,7 @@
 #define CLERS_CODEC_SYMBOL_MODEL_H
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
@@ -15,6 +16,7 @@
 #include <memory>
 
 #include "codec/clers.h"
+#include "codec/letter_priors.h"
 #include "codec/rans.h"
 
 namespace clers {
@@ -33,7 +35,7 @@ struct SymbolRecord {
 
   /// Moves towards s by 1/2, 1/2, 1/4 .. 1/128 of the way. Every symbol keeps at least 3 units of
   /// rans::scale: targets leave it 4, and rounding takes less than one.
-  void update(unsigned s) {
+  [[gnu::always_inline]] void update(unsigned s) {
     const int rate = int(std::bit_width(seen + 2)) - 1;
     seen += seen < 126;
     // Four lanes at once: g++ and clang make this SSE2, or what else there is, with equal results.
@@ -57,59 +59,47 @@ struct SymbolRecord {
 };
 static_assert(sizeof(SymbolRecord) == 32);
 
-class SymbolModel {
+/// Distributions by (valence of x, last letter) and by (valence of x, last k letters).
+class ContextTables {
  public:
-  static constexpr unsigned max_valence = 15, max_history = 8, table_bits = 12;
+  static constexpr unsigned max_valence = 15, max_history = 8, table_bits = 13;
 
-  /// k symbols of history, 1..max_history. May fail to allocate: see ok().
-  explicit SymbolModel(unsigned k)
+  /// k letters of history, 1..max_history. May fail to allocate: see ok().
+  explicit ContextTables(unsigned k)
       : mask_((1u << 2 * k) - 1),
         bits_(2 * k),
-        hashed_(k > 4),
+        hashed_(4 + bits_ > table_bits),
         first_(allocate(std::size_t(max_valence + 1) << 2)),
         second_(allocate(std::size_t(1) << std::min(4 + bits_, table_bits))) {
     if (!ok()) return;
-    for (unsigned c = 0; c < (max_valence + 1) << 2; ++c) first_[c] = initial();
+    for (unsigned c = 0; c < (max_valence + 1) << 2; ++c) first_[c] = initial(letter_priors[c]);
   }
 
   bool ok() const { return first_ && second_; }
 
-  /// Decodes the next symbol after a pivot of valence kx and returns then(Letter<symbol>()).
-  ///
-  /// The comparisons that find the symbol are also the branches on it. So the processor goes on
-  /// with the symbol it expects, the next context included, while the state is still being
-  /// computed.
-  template <class Then>
-  [[gnu::always_inline]] auto decode(rans::Decoder& in, std::uint32_t kx, Then then) {
-    SymbolRecord& record = context(kx);
-    const std::uint32_t slot = in.slot();
-    if (slot < record.start(1)) return take<Clers::C>(in, record, kx, then);
-    if (slot < record.start(2)) return take<Clers::R>(in, record, kx, then);
-    if (slot < record.start(3)) return take<Clers::L>(in, record, kx, then);
-    if (slot < record.start(4)) return take<Clers::S>(in, record, kx, then);
-    return take<Clers::E>(in, record, kx, then);
+ protected:
+  struct Pair {
+    SymbolRecord& first;
+    SymbolRecord& second;
+  };
+
+  /// The distributions after a pivot of valence kx; of k letters one that was never used before is
+  /// a copy of the other.
+  [[gnu::always_inline]] Pair context(std::uint32_t kx) {
+    kx = std::min(kx, max_valence);
+    std::uint32_t index = kx << bits_ | (history_ & mask_);
+    if (hashed_) index = index * 0x9e3779b1u >> (32 - table_bits);
+    Pair p{first_[kx << 2 | (history_ & 3)], second_[index]};
+    if (p.second.seen == 0) {
+      p.second = p.first;
+      p.second.seen = std::min(p.second.seen, 1u);
+    }
+    return p;
   }
 
-  /// The interval of a symbol, for coding it or for counting what it costs.
-  rans::Interval encode(Clers symbol, std::uint32_t kx) {
-    SymbolRecord& record = context(kx);
-    const unsigned s = static_cast<unsigned>(symbol);
-    const rans::Interval interval{static_cast<std::uint16_t>(record.start(s)),
-                                  static_cast<std::uint16_t>(record.size(s))};
-    learn(record, kx, s);
-    return interval;
-  }
+  void remember(unsigned s) { history_ = history_ << 2 | std::min(s, 3u); }
 
  private:
-  template <Clers symbol, class Then>
-  [[gnu::always_inline]] auto take(rans::Decoder& in, SymbolRecord& record, std::uint32_t kx,
-                                   Then& then) {
-    constexpr unsigned s = static_cast<unsigned>(symbol);
-    in.advance(record.start(s), record.size(s));
-    learn(record, kx, s);
-    return then(Letter<symbol>());
-  }
-
   struct Free {
     void operator()(SymbolRecord* p) const { std::free(p); }
   };
@@ -120,35 +110,124 @@ class SymbolModel {
     return Table(static_cast<SymbolRecord*>(std::calloc(n, sizeof(SymbolRecord))));
   }
 
-  static SymbolRecord initial() {
-    constexpr std::uint32_t unit = 1u << 31;
-    return {{0, unit / 2, unit / 100 * 80, unit / 100 * 92, unit / 100 * 96, unit}, 0, 0};
-  }
-
-  SymbolRecord& context(std::uint32_t kx) {
-    kx = std::min(kx, max_valence);
-    std::uint32_t index = kx << bits_ | (history_ & mask_);
-    if (hashed_) index = index * 0x9e3779b1u >> (32 - table_bits);
-    SymbolRecord& record = second_[index];
-    if (record.seen == 0) {
-      record = first_[kx << 2 | (history_ & 3)];
-      record.seen = std::min(record.seen, 2u);
-    }
-    return record;
-  }
-
-  void learn(SymbolRecord& record, std::uint32_t kx, unsigned s) {
-    if (record.seen <= 16) first_[std::min(kx, max_valence) << 2 | (history_ & 3)].update(s);
-    record.update(s);
-    history_ = history_ << 2 | std::min(s, 3u);
+  /// As if it had been seen a few times, if it ever was.
+  static SymbolRecord initial(const std::array<std::uint8_t, 4>& prior) {
+    constexpr std::uint32_t unit = 1u << 23;
+    return {{0, prior[0] * unit, prior[1] * unit, prior[2] * unit, prior[3] * unit, 256 * unit},
+            prior == default_prior ? 0u : 8u,
+            0};
   }
 
   std::uint32_t history_ = 0;
   std::uint32_t mask_;
   unsigned bits_;
   bool hashed_;   ///< contexts of long histories share a table that stays in cache
-  Table first_;   ///< (valence, last symbol)
-  Table second_;  ///< (valence, last k symbols)
+  Table first_;   ///< (valence, last letter)
+  Table second_;  ///< (valence, last k letters)
+};
+
+/// Decodes the next letter from the bounds that `start` gives and returns
+/// then(Letter<letter>(), take(s)).
+///
+/// The comparisons that find the letter are also the branches on it. So the processor goes on with
+/// the letter it expects, the next context included, while the state is still being computed.
+template <class Start, class Learn, class Then>
+[[gnu::always_inline]] inline auto decode_letter(rans::Decoder& in, Start start, Learn learn,
+                                                 Then& then) {
+  const std::uint32_t slot = in.slot();
+  const auto take = [&](auto letter, std::uint32_t low, std::uint32_t high)
+      __attribute__((always_inline)) {
+    in.advance(low, high - low);
+    learn(static_cast<unsigned>(letter()));
+    return then(letter);
+  };
+  const std::uint32_t r = start(1);
+  if (slot < r) return take(Letter<Clers::C>(), 0, r);
+  const std::uint32_t l = start(2);
+  if (slot < l) return take(Letter<Clers::R>(), r, l);
+  const std::uint32_t s = start(3);
+  if (slot < s) return take(Letter<Clers::L>(), l, s);
+  const std::uint32_t e = start(4);
+  if (slot < e) return take(Letter<Clers::S>(), s, e);
+  return take(Letter<Clers::E>(), e, rans::scale);
+}
+
+/// One distribution, of the last k letters. The shorter context only lends its records.
+class SingleModel : public ContextTables {
+ public:
+  using ContextTables::ContextTables;
+
+  template <class Front, class Gate, class Then>
+  [[gnu::always_inline]] auto decode(rans::Decoder& in, const Front&, const Gate& gate, std::size_t,
+                                     Then then) {
+    const Pair p = context(gate.kx);
+    return decode_letter(
+        in, [&](unsigned s) __attribute__((always_inline)) { return p.second.start(s); },
+        [&](unsigned s) __attribute__((always_inline)) { learn(p, s); }, then);
+  }
+
+  /// The interval of a letter, for coding it or for counting what it costs.
+  rans::Interval encode(Clers letter, std::uint32_t kx) {
+    const Pair p = context(kx);
+    const unsigned s = static_cast<unsigned>(letter);
+    const rans::Interval interval{static_cast<std::uint16_t>(p.second.start(s)),
+                                  static_cast<std::uint16_t>(p.second.size(s))};
+    learn(p, s);
+    return interval;
+  }
+
+ private:
+  [[gnu::always_inline]] void learn(const Pair& p, unsigned s) {
+    if (p.second.seen <= 16) p.first.update(s);
+    p.second.update(s);
+    remember(s);
+  }
+};
+
+/// The average of both distributions: the longer context weighs more the more often it was seen.
+class PairModel : public ContextTables {
+ public:
+  /// `quick`: it is trusted almost at once, which suits surfaces that repeat themselves.
+  PairModel(unsigned k, bool quick)
+      : ContextTables(k), weights_(quick ? quick_trust : slow_trust) {}
+
+  template <class Front, class Gate, class Then>
+  [[gnu::always_inline]] auto decode(rans::Decoder& in, const Front&, const Gate& gate, std::size_t,
+                                     Then then) {
+    const Pair p = context(gate.kx);
+    const std::uint32_t w = weight(p);
+    return decode_letter(
+        in, [&](unsigned s) __attribute__((always_inline)) { return start(p, w, s); },
+        [&](unsigned s) __attribute__((always_inline)) { learn(p, s); }, then);
+  }
+
+  rans::Interval encode(Clers letter, std::uint32_t kx) {
+    const Pair p = context(kx);
+    const std::uint32_t w = weight(p);
+    const unsigned s = static_cast<unsigned>(letter);
+    const std::uint32_t low = start(p, w, s), high = start(p, w, s + 1);
+    learn(p, s);
+    return {static_cast<std::uint16_t>(low), static_cast<std::uint16_t>(high - low)};
+  }
+
+ private:
+  using Weights = std::array<std::uint8_t, 8>;  ///< in eighths, by floor(log2(times seen + 2))
+  static constexpr Weights slow_trust = {0, 1, 2, 3, 4, 5, 6, 7},
+                           quick_trust = {0, 1, 7, 8, 8, 8, 8, 8};
+
+  std::uint32_t weight(const Pair& p) const {
+    return weights_[static_cast<unsigned>(std::bit_width(p.second.seen + 2)) - 1];
+  }
+  static std::uint32_t start(const Pair& p, std::uint32_t w, unsigned s) {
+    return (p.first.start(s) * (8 - w) + p.second.start(s) * w) >> 3;
+  }
+  [[gnu::always_inline]] void learn(const Pair& p, unsigned s) {
+    if (p.second.seen <= 62) p.first.update(s);
+    p.second.update(s);
+    remember(s);
+  }
+
+  Weights weights_;
 };
 
 }  // namespace clers
