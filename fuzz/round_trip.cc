@@ -49,7 +49,7 @@ clers::Mesh mesh_from(std::span<const std::uint8_t> in, clers::EncodeOptions& op
     grow(in, faces, mesh);
   } else {
     for (std::size_t i = 0, f = 0; f < faces; ++f) {
-      const std::uint32_t size = kind == 1 ? 3 : in[i] >> 6 == 3 ? in[i] % 7 : 3 + in[i] % 2;
+      const std::uint32_t size = kind == 1 ? 3u : in[i] >> 6 == 3 ? in[i] % 7u : 3u + in[i] % 2u;
       if (kind != 1) mesh.face_sizes.push_back(size);
       for (std::uint32_t j = 0; j < size; ++j, i = (i + 1) % in.size())
         mesh.corners.push_back((in[i] & 63) % mesh.vertex_count);
