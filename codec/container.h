@@ -15,7 +15,15 @@ namespace clers {
 inline constexpr std::uint32_t format_major = 0, format_minor = 1;
 
 /// Kinds of sections; the numbers are the file format's.
-enum class SectionKind : std::uint8_t { end = 0, mesh = 1, attribute = 2, name = 3, order = 4 };
+enum class SectionKind : std::uint8_t {
+  end = 0,
+  mesh = 1,
+  attribute = 2,
+  name = 3,
+  order = 4,
+  pieces = 5,
+  seam = 6,
+};
 
 /// Writes a file section by section.
 class ContainerWriter {

@@ -11,6 +11,7 @@
 
 #include "codec/error.h"
 #include "codec/mesh.h"
+#include "topology/ids.h"
 
 namespace clers {
 
@@ -26,6 +27,7 @@ struct Limits {
 struct DecodeOptions {
   Limits limits;
   std::function<void(std::string_view stage, double done)> progress;  ///< as in EncodeOptions
+  unsigned threads = 1;  ///< over meshes and pieces, or the attributes of a single one
 };
 
 /// Decodes a .clers file. Trusts nothing: every index of a returned mesh is below its vertex_count,
@@ -36,6 +38,56 @@ struct DecodeOptions {
 /// Cost: linear in the faces. Thread safe: calls share nothing.
 Expected<std::vector<Mesh>> decode(std::span<const std::byte> bytes,
                                    const DecodeOptions& options = {});
+
+/// A vertex of a piece that is a vertex of a piece before it.
+struct SharedVertex {
+  std::uint32_t vertex;  ///< of the piece
+  std::uint32_t number;  ///< in the whole mesh
+};
+
+/// A part of a file that decodes alone: a piece of a mesh, or a mesh that is not in pieces.
+struct Piece {
+  std::size_t mesh_index = 0;        ///< of its mesh in the file
+  std::size_t index = 0, count = 1;  ///< among the pieces of the mesh
+  Mesh mesh;                         ///< with the values of all its vertices, the shared ones too
+  std::vector<SharedVertex> seam;    ///< in the order of `vertex`
+  std::uint32_t first_vertex = 0;    ///< its other vertices have this number and those that
+                                     ///< follow in the whole mesh, in their order
+  std::uint32_t first_face = 0;      ///< so have its faces
+};
+
+/// Decodes a file piece by piece, which `take` receives in their order: as decode, but no more than
+/// one is in memory. Numbers are those of the whole mesh as it is decoded without the order of its
+/// file: that of a mesh in pieces is not restored. One thread works. Errors: those of decode, some
+/// of them when pieces were taken already.
+Expected<Done> decode_pieces(std::span<const std::byte> bytes,
+                             const std::function<void(Piece)>& take,
+                             const DecodeOptions& options = {});
+
+/// Decodes one piece, counted over all meshes of the file. Errors: as above; bad_option if there is
+/// none such.
+Expected<Piece> decode_piece(std::span<const std::byte> bytes, std::size_t index,
+                             const DecodeOptions& options = {});
+
+/// Sizes of a mesh that can be known without decoding it.
+struct MeshSizes {
+  std::uint64_t vertices = 0, faces = 0, corners = 0, pieces = 1;
+};
+
+/// Sizes of the meshes of a file. Checks it as far as decode does before it allocates.
+Expected<std::vector<MeshSizes>> sizes(std::span<const std::byte> bytes, const Limits& limits = {});
+
+/// Decodes the faces of a file of one mesh, all of them triangles, into memory of the caller.
+/// `corners` has the size that sizes() tells; 16 bits are enough up to 65536 vertices. `opposites`,
+/// if not empty, has the same size and takes for every half-edge (3 f + i runs from corner i of
+/// face f to the next) the one on the other side of the edge; null where there is none, or not just
+/// one that runs the opposite way. Errors: those of decode, bad_option. On error the memory may
+/// hold anything. Triangles on a surface are decoded in place; loose faces, faces one by one, a
+/// kept order and 16 bits take memory for a copy.
+Expected<Done> decode_into(std::span<const std::byte> bytes, std::span<std::uint32_t> corners,
+                           std::span<HalfEdge> opposites = {}, const DecodeOptions& options = {});
+Expected<Done> decode_into(std::span<const std::byte> bytes, std::span<std::uint16_t> corners,
+                           std::span<HalfEdge> opposites = {}, const DecodeOptions& options = {});
 
 }  // namespace clers
 

@@ -17,6 +17,10 @@ namespace clers {
 
 inline constexpr int min_level = 1, max_level = 9, default_level = 5;
 
+/// For EncodeOptions::piece_faces.
+inline constexpr std::uint32_t most_faces_whole = 1u << 20, default_piece_faces = 1u << 18,
+                               never_in_pieces = 0xffffffffu;
+
 /// What to do with faces that most programs do not expect.
 enum class OnOddity : std::uint8_t {
   keep,   ///< they come back as they were
@@ -31,6 +35,12 @@ enum class Order : std::uint8_t {
 
 struct EncodeOptions {
   int level = default_level;  ///< 1 fastest .. 9 smallest
+
+  /// A mesh of more faces is coded in pieces of about so many, which decode alone: in less memory,
+  /// and by several threads. 0: in pieces of at most
+  /// about default_piece_faces, if it has more than most_faces_whole.
+  std::uint32_t piece_faces = 0;
+  unsigned threads = 1;  ///< over meshes and pieces, or the attributes of a single one
 
   Order order = Order::free;
   OnOddity on_nonmanifold = OnOddity::keep;  ///< edges of more than two faces or of two that run
@@ -55,7 +65,10 @@ struct Permutation {
 struct Encoded {
   std::vector<std::byte> bytes;
   std::vector<Permutation> permutations;  ///< one for each mesh
-  std::vector<MeshInfo> report;           ///< one for each mesh: what was found and what it costs
+  std::vector<MeshInfo> report;           ///< one for each mesh: what was found and what it costs.
+                                          ///< Of the shape of a mesh in pieces it has vertices,
+                                          ///< faces, triangles and isolated vertices: inspect()
+                                          ///< measures the rest
 };
 
 /// Encodes meshes into one .clers file.

@@ -1,10 +1,32 @@
 #include "codec/inspect.h"
 
 #include <new>
+#include <utility>
 
 #include "codec/mesh_decoder.h"
 
 namespace clers {
+namespace {
+
+/// What the attributes of a piece cost; those of all pieces are the same ones.
+void add_attributes(const PieceSections& piece, MeshInfo& mesh) {
+  const bool first = mesh.attributes.empty();
+  bool position_seen = false;
+  for (std::size_t i = 0; i < piece.attributes.size(); ++i) {
+    const PieceSections::AttributeSection& a = piece.attributes[i];
+    const Attribute& what = a.header.attribute;
+    if (first)
+      mesh.attributes.push_back({what.name, what.domain, what.scalar, what.components, 0, 0});
+    mesh.attributes[i].count += a.count - (what.domain == Domain::vertex ? piece.shared : 0);
+    mesh.attributes[i].bytes += a.bytes.size();
+    const bool position =
+        !position_seen && what.domain == Domain::vertex && what.name == position_name;
+    position_seen |= position;
+    (position ? mesh.position_bytes : mesh.attribute_bytes) += a.bytes.size();
+  }
+}
+
+}  // namespace
 
 Expected<FileInfo> inspect(std::span<const std::byte> bytes) try {
   ContainerReader file(bytes);
@@ -16,33 +38,34 @@ Expected<FileInfo> inspect(std::span<const std::byte> bytes) try {
   info.level = file.level();
   info.total_bytes = info.overhead_bytes = bytes.size();
   for (const MeshSections& s : *sections) {
-    auto decoded = decode_faces(s);
-    if (!decoded) return Failure{decoded.error()};
-    turn_back(decoded->mesh, decoded->turned);
-    if (auto ok = restore_order(s, decoded->mesh); !ok) return Failure{ok.error()};
     MeshInfo mesh;
     mesh.name = s.name;
-    auto shape = measure(decoded->mesh);
+    mesh.pieces = s.pieces.size();
+    Mesh faces;
+    if (s.pieces.size() > 1) faces = make_room(s, Values::skip);
+    mesh.order_bytes = mesh.connectivity_bytes = s.order.bytes.size();
+    for (const PieceSections& piece : s.pieces) {
+      auto decoded = decode_piece(piece, Values::skip);
+      if (!decoded) return Failure{decoded.error()};
+      if (s.pieces.size() == 1)
+        faces = std::move(decoded->mesh);
+      else if (auto ok = put_piece(piece, decoded->mesh, faces); !ok)
+        return Failure{ok.error()};
+      mesh.cuts.turned_faces += decoded->turned_faces;
+      mesh.cuts.copied_vertices += piece.copies;
+      mesh.cuts.loose_faces += piece.loose_faces;
+      const auto letters = in_word_order(decoded->counts.letters);
+      for (std::size_t i = 0; i < letters.size(); ++i) mesh.clers[i] += letters[i];
+      mesh.connectivity_bytes += piece.payload_size + piece.seam_size;
+      mesh.polygon_bytes += piece.polygons.bytes.size();
+      mesh.stitching_bytes += piece.turned.bytes.size() + piece.stitches.bytes.size() +
+                              piece.loose.bytes.size() + piece.seam_size;
+      add_attributes(piece, mesh);
+    }
+    if (auto ok = finish_mesh(s, faces); !ok) return Failure{ok.error()};
+    auto shape = measure(faces);
     if (!shape) return Failure{shape.error()};
     mesh.shape = *shape;
-    for (const TurnedRun& run : decoded->turned) mesh.cuts.turned_faces += run.count;
-    mesh.cuts.copied_vertices = s.copies;
-    mesh.cuts.loose_faces = s.loose_faces;
-    mesh.clers = in_word_order(decoded->counts.letters);
-    mesh.polygon_bytes = s.polygons.bytes.size();
-    mesh.stitching_bytes = s.turned.bytes.size() + s.stitches.bytes.size() + s.loose.bytes.size();
-    mesh.order_bytes = s.order.bytes.size();
-    mesh.connectivity_bytes = s.payload_size + mesh.order_bytes;
-    bool position_seen = false;
-    for (const MeshSections::AttributeSection& a : s.attributes) {
-      const Attribute& what = a.header.attribute;
-      mesh.attributes.push_back(
-          {what.name, what.domain, what.scalar, what.components, a.count, a.bytes.size()});
-      const bool position =
-          !position_seen && what.domain == Domain::vertex && what.name == position_name;
-      position_seen |= position;
-      (position ? mesh.position_bytes : mesh.attribute_bytes) += a.bytes.size();
-    }
     info.overhead_bytes -= mesh.connectivity_bytes + mesh.position_bytes + mesh.attribute_bytes;
     info.meshes.push_back(std::move(mesh));
   }

@@ -52,11 +52,12 @@ struct Cuts {
 /// One mesh of a file.
 struct MeshInfo {
   MeshShape shape;
-  Cuts cuts;
+  std::uint64_t pieces = 1;                 ///< that decode alone
+  Cuts cuts;                                ///< summed over the pieces, as all below
   std::array<std::uint64_t, 5> clers = {};  ///< how many C, L, E, R, S
   std::uint64_t connectivity_bytes = 0;     ///< of the faces, all told
   std::uint64_t polygon_bytes = 0;          ///< of them: which triangles make a polygon
-  std::uint64_t stitching_bytes = 0;        ///< of them: what undoes the cuts
+  std::uint64_t stitching_bytes = 0;        ///< of them: what undoes the cuts, seams included
   std::uint64_t order_bytes = 0;            ///< of them: the order of the file, where it is kept
   std::uint64_t position_bytes = 0;
   std::uint64_t attribute_bytes = 0;  ///< of all attributes but the position

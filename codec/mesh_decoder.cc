@@ -7,24 +7,27 @@
 
 #include "codec/file_order.h"
 #include "codec/loose_faces.h"
+#include "codec/parallel.h"
 #include "codec/plain_faces.h"
 #include "codec/polygons.h"
+#include "codec/seams.h"
 #include "codec/stitching.h"
+#include "codec/turned_faces.h"
 
 namespace clers {
 namespace {
 
-Failure<Error> broken(const MeshSections::Stream& stream, std::string what) {
+Failure<Error> broken(const PieceSections::Stream& stream, std::string what) {
   return fail(ErrorCode::invalid, Place::byte, stream.at, std::move(what));
 }
 
-Expected<Done> finished(const rans::Decoder& in, const MeshSections::Stream& stream,
+Expected<Done> finished(const rans::Decoder& in, const PieceSections::Stream& stream,
                         const char* what) {
   if (in.finished()) return Done{};
   return broken(stream, std::string(what) + " do not end where their bytes end");
 }
 
-Expected<std::vector<TurnedRun>> decode_turned(const MeshSections& sections) {
+Expected<std::vector<TurnedRun>> decode_turned(const PieceSections& sections) {
   rans::Decoder in(sections.turned.bytes);
   DecodeFrom coder(in);
   TurnedModel model;
@@ -43,7 +46,7 @@ Expected<std::vector<TurnedRun>> decode_turned(const MeshSections& sections) {
 }
 
 /// Sizes of the polygons that consecutive triangles make.
-Expected<std::vector<std::uint32_t>> decode_sizes(const MeshSections& sections,
+Expected<std::vector<std::uint32_t>> decode_sizes(const PieceSections& sections,
                                                   std::span<const std::uint32_t> triangles) {
   rans::Decoder in(sections.polygons.bytes);
   DecodeFrom coder(in);
@@ -72,7 +75,7 @@ Expected<std::vector<std::uint32_t>> decode_sizes(const MeshSections& sections,
 }
 
 /// Makes vertices of the mesh of those of the surface.
-Expected<Done> stitch(const MeshSections& sections, std::span<std::uint32_t> triangles) {
+Expected<Done> stitch(const PieceSections& sections, std::span<std::uint32_t> triangles) {
   rans::Decoder in(sections.stitches.bytes);
   DecodeFrom coder(in);
   std::vector<std::uint32_t> classes(sections.connectivity.vertices, Stitching::unknown);
@@ -86,7 +89,7 @@ Expected<Done> stitch(const MeshSections& sections, std::span<std::uint32_t> tri
   return Done{};
 }
 
-Expected<Done> append_loose(const MeshSections& sections, std::span<const std::uint32_t> triangles,
+Expected<Done> append_loose(const PieceSections& sections, std::span<const std::uint32_t> triangles,
                             std::vector<std::uint32_t>& sizes,
                             std::vector<std::uint32_t>& corners) {
   rans::Decoder in(sections.loose.bytes);
@@ -114,7 +117,7 @@ void drop_sizes_of_triangles(Mesh& mesh) {
     mesh.face_sizes.clear();
 }
 
-Expected<Done> decode_plain(const MeshSections& sections, Mesh& mesh) {
+Expected<Done> decode_plain(const PieceSections& sections, Mesh& mesh) {
   rans::Decoder in(sections.plain.bytes);
   DecodeFrom coder(in);
   PlainFaceModel model(mesh.vertex_count);
@@ -145,9 +148,245 @@ void reorder(Attribute& a, std::size_t values, Source source) {
     std::memcpy(a.data.data() + i * stride, from.data() + source(i) * stride, stride);
 }
 
+/// A piece without attributes, and the triangles that those are predicted along.
+struct DecodedFaces {
+  Mesh mesh;
+  bool all_on_surface = true;            ///< mesh.corners are the triangles of the surface
+  std::vector<std::uint32_t> triangles;  ///< otherwise those, or fans of plain faces
+  std::vector<TurnedRun> turned;
+  ConnectivityCounts counts;
+};
+
+/// Decodes the triangles of the surface, by vertices of the mesh but for polygons and turned faces.
+struct DecodedSurface {
+  ConnectivityCounts counts;
+  std::vector<TurnedRun> turned;
+  std::vector<std::uint32_t> sizes;  ///< of polygons, where there are any
+};
+Expected<DecodedSurface> decode_surface(const PieceSections& sections,
+                                        std::span<std::uint32_t> triangles,
+                                        std::span<HalfEdge> twins = {}) {
+  DecodedSurface result;
+  auto counts = decode_connectivity(sections.connectivity_bytes, sections.connectivity_at,
+                                    sections.connectivity, triangles, twins);
+  if (!counts) return Failure{counts.error()};
+  result.counts = *counts;
+  if (sections.features & feature::turned) {
+    auto turned = decode_turned(sections);
+    if (!turned) return Failure{turned.error()};
+    result.turned = std::move(*turned);
+  }
+  if (sections.features & feature::polygons) {
+    auto sizes = decode_sizes(sections, triangles);
+    if (!sizes) return Failure{sizes.error()};
+    result.sizes = std::move(*sizes);
+  }
+  if (sections.features & feature::copies)
+    if (auto ok = stitch(sections, triangles); !ok) return Failure{ok.error()};
+  return result;
+}
+
+Expected<DecodedFaces> decode_faces(const PieceSections& sections) {
+  DecodedFaces result;
+  Mesh& mesh = result.mesh;
+  mesh.vertex_count = static_cast<std::uint32_t>(sections.vertices);
+  if (sections.features == feature::plain) {
+    if (auto ok = decode_plain(sections, mesh); !ok) return Failure{ok.error()};
+    result.all_on_surface = mesh.triangles_only();
+    if (!result.all_on_surface) result.triangles = fan_triangles(mesh.corners, mesh.face_sizes);
+    return result;
+  }
+  std::vector<std::uint32_t> triangles(3 * std::size_t(sections.connectivity.faces));
+  auto surface = decode_surface(sections, triangles);
+  if (!surface) return Failure{surface.error()};
+  result.counts = surface->counts;
+  result.turned = std::move(surface->turned);
+  std::vector<std::uint32_t>& sizes = surface->sizes;
+  if (!(sections.features & (feature::polygons | feature::loose))) {
+    mesh.corners = std::move(triangles);
+    return result;
+  }
+
+  mesh.corners.reserve(static_cast<std::size_t>(sections.corners));
+  mesh.face_sizes.reserve(static_cast<std::size_t>(sections.faces));
+  if (sections.features & feature::polygons) {
+    const std::uint32_t* t = triangles.data();
+    for (const std::uint32_t size : sizes) {
+      mesh.corners.insert(mesh.corners.end(), {t[0], t[1]});
+      for (std::uint32_t k = size - 2; k-- > 0;) mesh.corners.push_back(t[3 * std::size_t(k) + 2]);
+      t += 3 * std::size_t(size - 2);
+    }
+    mesh.face_sizes = std::move(sizes);
+  } else {
+    mesh.corners = triangles;
+    mesh.face_sizes.assign(triangles.size() / 3, 3);
+  }
+  if (sections.features & feature::loose)
+    if (auto ok = append_loose(sections, triangles, mesh.face_sizes, mesh.corners); !ok)
+      return Failure{ok.error()};
+  drop_sizes_of_triangles(mesh);
+  result.all_on_surface = false;
+  result.triangles = std::move(triangles);
+  return result;
+}
+
+/// Vertices that no corner names follow those that one does.
+std::uint64_t most_used_vertices(const PieceSections& sections) {
+  return std::min(sections.vertices, sections.corners);
+}
+
+/// Turned faces run the other way until then: values are predicted before.
+void turn_back(std::span<std::uint32_t> corners, std::span<const std::uint32_t> sizes,
+               std::span<const TurnedRun> runs) {
+  std::size_t face = 0, begin = 0;
+  const auto size = [&](std::size_t f) { return sizes.empty() ? 3 : sizes[f]; };
+  for (const TurnedRun& run : runs) {
+    for (; face < run.first; ++face) begin += size(face);
+    for (; face < std::size_t(run.first) + run.count; ++face) {
+      const auto cycle = corners.subspan(begin, size(face));
+      std::reverse(cycle.begin() + 1, cycle.end());
+      begin += cycle.size();
+    }
+  }
+}
+
 }  // namespace
 
-Expected<Done> restore_order(const MeshSections& sections, Mesh& mesh) {
+Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values,
+                                    unsigned threads) {
+  auto decoded = decode_faces(sections);
+  if (!decoded) return Failure{decoded.error()};
+  DecodedPiece result{std::move(decoded->mesh), decoded->counts, 0};
+  if (values == Values::decode) {
+    const std::span<const std::uint32_t> triangles =
+        decoded->all_on_surface ? result.mesh.corners : decoded->triangles;
+    std::vector<Expected<Attribute>> attributes(
+        sections.attributes.size(), fail(ErrorCode::internal, "an attribute is not decoded"));
+    for_each_item(attributes.size(), threads, [&](std::size_t i, unsigned) {
+      const PieceSections::AttributeSection& a = sections.attributes[i];
+      attributes[i] = decode_attribute(a.bytes, a.at, a.header, a.count, triangles);
+    });
+    for (auto& attribute : attributes) {
+      if (!attribute) return Failure{attribute.error()};
+      result.mesh.attributes.push_back(std::move(*attribute));
+    }
+  }
+  turn_back(result.mesh.corners, result.mesh.face_sizes, decoded->turned);
+  for (const TurnedRun& run : decoded->turned) result.turned_faces += run.count;
+  return result;
+}
+
+Expected<Done> decode_triangles(const PieceSections& sections, std::span<std::uint32_t> corners,
+                                std::span<HalfEdge> twins) {
+  auto surface = decode_surface(sections, corners, twins);
+  if (!surface) return Failure{surface.error()};
+  turn_back(corners, {}, surface->turned);
+  return Done{};
+}
+
+Expected<std::vector<SharedVertex>> decode_seam(const PieceSections& sections) {
+  std::vector<SharedVertex> seam;
+  if (sections.shared == 0) return seam;
+  seam.reserve(static_cast<std::size_t>(sections.shared));
+  const std::uint64_t vertices = most_used_vertices(sections), before = sections.first_vertex;
+  rans::Decoder in(sections.seam.bytes);
+  DecodeFrom coder(in);
+  SeamModel model;
+  std::uint64_t end = 0;
+  while (seam.size() < sections.shared) {
+    const SeamRun run = model.code(coder, {});
+    const std::uint64_t left = sections.shared - seam.size();
+    const bool fits = run.count > 0 && run.count <= left && run.first >= end &&
+                      run.first < vertices && run.count <= vertices - run.first &&
+                      run.global < before &&
+                      run.count - 1 <= (run.down ? run.global : before - 1 - run.global);
+    if (!fits) return broken(sections.seam, "a seam is out of order or has no such vertex");
+    for (std::uint32_t i = 0; i < run.count; ++i) seam.push_back({run.first + i, run.global_at(i)});
+    end = std::uint64_t(run.first) + run.count;
+  }
+  if (auto ok = finished(in, sections.seam, "the seam"); !ok) return Failure{ok.error()};
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(seam.size());
+  for (const SharedVertex& v : seam) numbers.push_back(v.number);
+  std::sort(numbers.begin(), numbers.end());
+  if (std::adjacent_find(numbers.begin(), numbers.end()) != numbers.end())
+    return broken(sections.seam, "a seam has a vertex twice");
+  return seam;
+}
+
+Expected<std::vector<std::uint32_t>> number_piece(const PieceSections& sections,
+                                                  std::span<std::uint32_t> corners) {
+  auto seam = decode_seam(sections);
+  if (!seam) return Failure{seam.error()};
+  std::vector<std::uint32_t> numbers(static_cast<std::size_t>(most_used_vertices(sections)));
+  std::uint32_t next = static_cast<std::uint32_t>(sections.first_vertex);
+  auto shared = seam->begin();
+  for (std::uint32_t v = 0; v < numbers.size(); ++v)
+    numbers[v] = shared != seam->end() && shared->vertex == v ? shared++->number : next++;
+  for (std::uint32_t& v : corners) {
+    if (v >= numbers.size())
+      return fail(ErrorCode::invalid, Place::byte, sections.at,
+                  "vertex " + std::to_string(v) + " of a piece of " +
+                      std::to_string(sections.corners) + " corners");
+    v = numbers[v];
+  }
+  return numbers;
+}
+
+Mesh make_room(const MeshSections& sections, Values values) {
+  Mesh mesh;
+  mesh.vertex_count = static_cast<std::uint32_t>(sections.vertices);
+  mesh.corners.resize(static_cast<std::size_t>(sections.corners));
+  if (sections.may_have_sizes()) mesh.face_sizes.resize(static_cast<std::size_t>(sections.faces));
+  if (values == Values::skip) return mesh;
+  for (const PieceSections::AttributeSection& a : sections.pieces[0].attributes) {
+    Attribute attribute = a.header.attribute;
+    const std::uint64_t count = attribute.domain == Domain::vertex ? sections.vertices
+                                : attribute.domain == Domain::face ? sections.faces
+                                                                   : sections.corners;
+    attribute.data.resize(static_cast<std::size_t>(count) * attribute.stride());
+    mesh.attributes.push_back(std::move(attribute));
+  }
+  return mesh;
+}
+
+Expected<Done> put_piece(const PieceSections& sections, const Mesh& piece, Mesh& whole) {
+  const auto corners = std::span(whole.corners)
+                           .subspan(static_cast<std::size_t>(sections.first_corner),
+                                    static_cast<std::size_t>(sections.corners));
+  std::copy(piece.corners.begin(), piece.corners.end(), corners.begin());
+  auto numbers = number_piece(sections, corners);
+  if (!numbers) return Failure{numbers.error()};
+  if (!whole.face_sizes.empty()) {
+    std::uint32_t* size = whole.face_sizes.data() + sections.first_face;
+    if (piece.triangles_only())
+      std::fill_n(size, piece.face_count(), 3u);
+    else
+      std::copy(piece.face_sizes.begin(), piece.face_sizes.end(), size);
+  }
+  for (std::size_t k = 0; k < piece.attributes.size(); ++k) {
+    const Attribute& from = piece.attributes[k];
+    std::byte* to = whole.attributes[k].data.data();
+    const std::size_t stride = from.stride();
+    if (from.domain != Domain::vertex) {
+      const std::uint64_t first =
+          from.domain == Domain::face ? sections.first_face : sections.first_corner;
+      std::copy(from.data.begin(), from.data.end(), to + first * stride);
+      continue;
+    }
+    to += sections.first_vertex * stride;
+    for (std::size_t v = 0; v < piece.vertex_count; ++v) {
+      if (v < numbers->size() && (*numbers)[v] < sections.first_vertex) continue;
+      std::memcpy(to, from.data.data() + v * stride, stride);
+      to += stride;
+    }
+  }
+  return Done{};
+}
+
+Expected<Done> finish_mesh(const MeshSections& sections, Mesh& mesh) {
+  mesh.name = sections.name;
+  if (sections.pieces.size() > 1) drop_sizes_of_triangles(mesh);
   if (sections.order.bytes.empty()) return Done{};
   FileOrder order;
   const Faces faces(mesh.corners, mesh.face_sizes);
@@ -186,77 +425,6 @@ Expected<Done> restore_order(const MeshSections& sections, Mesh& mesh) {
   mesh.corners = std::move(corners);
   mesh.face_sizes = std::move(sizes);
   return Done{};
-}
-
-Expected<DecodedFaces> decode_faces(const MeshSections& sections) {
-  DecodedFaces result;
-  Mesh& mesh = result.mesh;
-  mesh.name = sections.name;
-  mesh.vertex_count = static_cast<std::uint32_t>(sections.vertices);
-  if (sections.features == feature::plain) {
-    if (auto ok = decode_plain(sections, mesh); !ok) return Failure{ok.error()};
-    result.all_on_surface = mesh.triangles_only();
-    if (!result.all_on_surface) result.triangles = fan_triangles(mesh.corners, mesh.face_sizes);
-    return result;
-  }
-  std::vector<std::uint32_t> triangles(3 * std::size_t(sections.connectivity.faces));
-  auto counts = decode_connectivity(sections.connectivity_bytes, sections.connectivity_at,
-                                    sections.connectivity, triangles);
-  if (!counts) return Failure{counts.error()};
-  result.counts = *counts;
-
-  if (sections.features & feature::turned) {
-    auto turned = decode_turned(sections);
-    if (!turned) return Failure{turned.error()};
-    result.turned = std::move(*turned);
-  }
-  std::vector<std::uint32_t> sizes;
-  if (sections.features & feature::polygons) {
-    auto decoded = decode_sizes(sections, triangles);
-    if (!decoded) return Failure{decoded.error()};
-    sizes = std::move(*decoded);
-  }
-  if (sections.features & feature::copies)
-    if (auto ok = stitch(sections, triangles); !ok) return Failure{ok.error()};
-  if (!(sections.features & (feature::polygons | feature::loose))) {
-    mesh.corners = std::move(triangles);
-    return result;
-  }
-
-  mesh.corners.reserve(static_cast<std::size_t>(sections.corners));
-  mesh.face_sizes.reserve(static_cast<std::size_t>(sections.faces));
-  if (sections.features & feature::polygons) {
-    const std::uint32_t* t = triangles.data();
-    for (const std::uint32_t size : sizes) {
-      mesh.corners.insert(mesh.corners.end(), {t[0], t[1]});
-      for (std::uint32_t k = size - 2; k-- > 0;) mesh.corners.push_back(t[3 * std::size_t(k) + 2]);
-      t += 3 * std::size_t(size - 2);
-    }
-    mesh.face_sizes = std::move(sizes);
-  } else {
-    mesh.corners = triangles;
-    mesh.face_sizes.assign(triangles.size() / 3, 3);
-  }
-  if (sections.features & feature::loose)
-    if (auto ok = append_loose(sections, triangles, mesh.face_sizes, mesh.corners); !ok)
-      return Failure{ok.error()};
-  drop_sizes_of_triangles(mesh);
-  result.all_on_surface = false;
-  result.triangles = std::move(triangles);
-  return result;
-}
-
-void turn_back(Mesh& mesh, std::span<const TurnedRun> runs) {
-  std::size_t face = 0, begin = 0;
-  const auto size = [&](std::size_t f) { return mesh.triangles_only() ? 3 : mesh.face_sizes[f]; };
-  for (const TurnedRun& run : runs) {
-    for (; face < run.first; ++face) begin += size(face);
-    for (; face < std::size_t(run.first) + run.count; ++face) {
-      const auto first = mesh.corners.begin() + static_cast<std::ptrdiff_t>(begin);
-      begin += size(face);
-      std::reverse(first + 1, mesh.corners.begin() + static_cast<std::ptrdiff_t>(begin));
-    }
-  }
 }
 
 }  // namespace clers

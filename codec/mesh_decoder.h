@@ -2,32 +2,57 @@
 #ifndef CLERS_CODEC_MESH_DECODER_H
 #define CLERS_CODEC_MESH_DECODER_H
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "codec/connectivity.h"
+#include "codec/decode.h"
 #include "codec/error.h"
 #include "codec/mesh.h"
 #include "codec/mesh_reader.h"
-#include "codec/turned_faces.h"
 
 namespace clers {
 
-/// A mesh without attributes, and the triangles that those are predicted along.
-struct DecodedFaces {
+/// A piece, or a mesh that is not in pieces, in its own numbers.
+struct DecodedPiece {
   Mesh mesh;
-  bool all_on_surface = true;            ///< mesh.corners are the triangles of the surface
-  std::vector<std::uint32_t> triangles;  ///< otherwise those, or fans of plain faces
-  std::vector<TurnedRun> turned;
   ConnectivityCounts counts;
+  std::uint64_t turned_faces = 0;
 };
 
+enum class Values : bool { skip, decode };
+
+/// Decodes a piece, all of it or only its faces. Threads are for its attributes.
 /// Precondition: `sections` comes from read_meshes. Errors: those of decode. Throws std::bad_alloc
 /// only.
-Expected<DecodedFaces> decode_faces(const MeshSections& sections);
+Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values,
+                                    unsigned threads = 1);
 
-/// Puts a mesh back into the order of its file, where that was kept; values too. Errors: invalid.
-Expected<Done> restore_order(const MeshSections& sections, Mesh& mesh);
+/// The same of a piece whose faces are all triangles of its surface (may_have_sizes() is false),
+/// without values, into memory for just its corners. `twins` as for decode_connectivity.
+Expected<Done> decode_triangles(const PieceSections& sections, std::span<std::uint32_t> corners,
+                                std::span<HalfEdge> twins = {});
 
-/// Turned faces are told to run the other way until this is called: values are predicted before.
-void turn_back(Mesh& mesh, std::span<const TurnedRun> runs);
+/// The vertices of pieces before, in the order of the piece. Errors: invalid.
+Expected<std::vector<SharedVertex>> decode_seam(const PieceSections& sections);
+
+/// Gives the corners of a piece the numbers of its mesh: those that pieces before gave to vertices
+/// of the seam, the others from sections.first_vertex on. Returns them for all vertices that a
+/// corner can name. Errors: invalid.
+Expected<std::vector<std::uint32_t>> number_piece(const PieceSections& sections,
+                                                  std::span<std::uint32_t> corners);
+
+/// A mesh with room for all that its pieces will be.
+Mesh make_room(const MeshSections& sections, Values values);
+
+/// Puts a decoded piece where it belongs. Calls for different pieces may run at the same time.
+/// Errors: invalid.
+Expected<Done> put_piece(const PieceSections& sections, const Mesh& piece, Mesh& whole);
+
+/// What is left to do when all pieces are there: the order of the file, where that was kept; values
+/// too. Errors: invalid.
+Expected<Done> finish_mesh(const MeshSections& sections, Mesh& mesh);
 
 }  // namespace clers
 

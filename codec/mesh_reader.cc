@@ -11,14 +11,14 @@ Failure<Error> over(std::uint64_t at, const char* what, std::uint64_t value, std
               std::to_string(value) + " " + what + ", the limit is " + std::to_string(limit));
 }
 
-MeshSections::Stream read_stream(ByteReader& in) {
+PieceSections::Stream read_stream(ByteReader& in) {
   const std::uint64_t size = in.varint();
   const std::uint64_t at = in.offset();
   return {in.take(size), at};
 }
 
 /// Sizes of a mesh of plain faces.
-Expected<Done> read_plain(const Section& section, ByteReader& in, MeshSections& mesh) {
+Expected<Done> read_plain(const Section& section, ByteReader& in, PieceSections& mesh) {
   mesh.vertices = in.varint();
   mesh.faces = in.varint();
   mesh.corners = in.varint();
@@ -36,7 +36,7 @@ Expected<Done> read_plain(const Section& section, ByteReader& in, MeshSections& 
 }
 
 /// Sizes of a mesh that is a surface, as far as it is one.
-Expected<Done> read_surface(const Section& section, ByteReader& in, MeshSections& mesh) {
+Expected<Done> read_surface(const Section& section, ByteReader& in, PieceSections& mesh) {
   const auto invalid = [&](std::string what) {
     return fail(ErrorCode::invalid, Place::byte, section.at, std::move(what));
   };
@@ -101,9 +101,10 @@ Expected<Done> read_surface(const Section& section, ByteReader& in, MeshSections
   return Done{};
 }
 
-Expected<MeshSections> read_mesh(const Section& section, const Limits& limits) {
-  MeshSections mesh;
+Expected<PieceSections> read_piece(const Section& section, const Limits& limits) {
+  PieceSections mesh;
   mesh.payload_size = section.payload.size();
+  mesh.at = section.at;
   ByteReader in(section.payload, section.at);
   mesh.features = in.u8();
   const auto ok = mesh.features == feature::plain ? read_plain(section, in, mesh)
@@ -115,11 +116,11 @@ Expected<MeshSections> read_mesh(const Section& section, const Limits& limits) {
   return mesh;
 }
 
-Expected<MeshSections::AttributeSection> read_attribute(const Section& section,
-                                                        const MeshSections& mesh) {
+Expected<PieceSections::AttributeSection> read_attribute(const Section& section,
+                                                         const PieceSections& mesh) {
   auto header = read_attribute_header(section.payload, section.at);
   if (!header) return Failure{header.error()};
-  MeshSections::AttributeSection result{*header, section.payload, section.at, 0};
+  PieceSections::AttributeSection result{*header, section.payload, section.at, 0};
   switch (header->attribute.domain) {
     case Domain::vertex: result.count = mesh.vertices; break;
     case Domain::corner: result.count = mesh.corners; break;
@@ -128,67 +129,187 @@ Expected<MeshSections::AttributeSection> read_attribute(const Section& section,
   return result;
 }
 
+/// How many vertices a piece shares with those before it.
+Expected<Done> read_seam(const Section& section, PieceSections& piece) {
+  ByteReader in(section.payload, section.at);
+  piece.seam_size = section.payload.size();
+  piece.shared = in.varint();
+  if (!in.ok()) return Failure{in.error()};
+  piece.seam = {section.payload.subspan(in.position()), in.offset()};
+  if (piece.shared == 0 || piece.shared > std::min(piece.vertices, piece.corners) ||
+      piece.shared > piece.first_vertex)
+    return fail(ErrorCode::invalid, Place::byte, section.at,
+                "a piece of " + std::to_string(piece.vertices) + " vertices after " +
+                    std::to_string(piece.first_vertex) + " cannot share " +
+                    std::to_string(piece.shared));
+  return Done{};
+}
+
+bool same_attributes(const PieceSections& a, const PieceSections& b) {
+  return std::equal(a.attributes.begin(), a.attributes.end(), b.attributes.begin(),
+                    b.attributes.end(), [](const auto& x, const auto& y) {
+                      const Attribute &p = x.header.attribute, &q = y.header.attribute;
+                      return p.name == q.name && p.domain == q.domain && p.scalar == q.scalar &&
+                             p.components == q.components;
+                    });
+}
+
+/// Takes the sections of a file one after the other.
+class MeshesReader {
+ public:
+  explicit MeshesReader(const Limits& limits)
+      : limits_(limits),
+        // No more than can be addressed, so that sizes fit in std::size_t.
+        memory_(std::min<std::uint64_t>(limits.memory, PTRDIFF_MAX)) {}
+
+  Expected<Done> take(const Section& section) {
+    const bool any_piece = !meshes.empty() && !meshes.back().pieces.empty();
+    switch (section.kind) {
+      case SectionKind::pieces: return begin_pieces(section);
+      case SectionKind::mesh: return add_piece(section);
+      case SectionKind::end: return finish_mesh(section);
+      default: break;
+    }
+    if (!any_piece) return invalid(section, "expected a mesh first");
+    PieceSections& piece = meshes.back().pieces.back();
+    switch (section.kind) {
+      case SectionKind::seam:
+        if (meshes.back().pieces.size() == 1 || piece.shared > 0 || !piece.attributes.empty())
+          return invalid(section, "a seam where none can be");
+        return read_seam(section, piece);
+      case SectionKind::attribute: return add_attribute(section, piece);
+      case SectionKind::name:
+        if (pieces_to_come_ > 0) return invalid(section, "a name before the last piece");
+        meshes.back().name.assign(reinterpret_cast<const char*>(section.payload.data()),
+                                  section.payload.size());
+        return Done{};
+      default: break;
+    }
+    MeshSections& mesh = meshes.back();  // an order
+    if (pieces_to_come_ > 0 || !mesh.order.bytes.empty() ||
+        (mesh.pieces.size() == 1 && piece.features == feature::plain))
+      return invalid(section, "an order where none can be");
+    mesh.order = {section.payload, section.at};
+    return Done{};
+  }
+
+  std::vector<MeshSections> meshes;
+
+ private:
+  static Failure<Error> invalid(const Section& section, std::string what) {
+    return fail(ErrorCode::invalid, Place::byte, section.at, std::move(what));
+  }
+
+  Expected<Done> begin_pieces(const Section& section) {
+    ByteReader in(section.payload, section.at);
+    const std::uint64_t pieces = in.varint();
+    if (!in.ok()) return Failure{in.error()};
+    if (pieces < 2 || in.left() > 0) return invalid(section, "no number of pieces, 2 at least");
+    if (auto ok = begin_mesh(section); !ok) return ok;
+    pieces_to_come_ = pieces;
+    return Done{};
+  }
+
+  Expected<Done> begin_mesh(const Section& section) {
+    if (auto ok = finish_mesh(section); !ok) return ok;
+    if (meshes.size() >= limits_.meshes)
+      return over(section.at, "meshes or more", meshes.size() + 1, limits_.meshes);
+    meshes.emplace_back();
+    return Done{};
+  }
+
+  Expected<Done> add_piece(const Section& section) {
+    if (pieces_to_come_ > 0) {
+      --pieces_to_come_;
+      if (auto ok = finish_piece(); !ok) return ok;
+    } else if (auto ok = begin_mesh(section); !ok) {
+      return ok;
+    }
+    auto piece = read_piece(section, limits_);
+    if (!piece) return Failure{piece.error()};
+    MeshSections& mesh = meshes.back();
+    piece->first_vertex = mesh.vertices;
+    piece->first_face = mesh.faces;
+    piece->first_corner = mesh.corners;
+    const std::uint64_t size = 4 * (piece->corners + (piece->may_have_sizes() ? piece->faces : 0));
+    if (!spend(size)) return over(section.at, "bytes for faces and more", size, limits_.memory);
+    mesh.pieces.push_back(std::move(*piece));
+    return Done{};
+  }
+
+  /// Adds the latest piece, all of which is known now, to its mesh.
+  Expected<Done> finish_piece() {
+    MeshSections& mesh = meshes.back();
+    if (mesh.pieces.empty()) return Done{};
+    const PieceSections& piece = mesh.pieces.back();
+    const auto refuse = [&](const char* what) {
+      return fail(ErrorCode::invalid, Place::byte, piece.at, what);
+    };
+    if (!same_attributes(mesh.pieces.front(), piece))
+      return refuse("this piece does not have the attributes of the first one");
+    mesh.vertices += piece.vertices - piece.shared;
+    mesh.faces += piece.faces;
+    mesh.corners += piece.corners;
+    if (mesh.vertices > 0xffffffffu || mesh.corners > max_corners || mesh.faces > max_corners)
+      return refuse("up to this piece there are more elements than numbers for them");
+    if (mesh.vertices > limits_.vertices)
+      return over(piece.at, "vertices", mesh.vertices, limits_.vertices);
+    if (mesh.faces > limits_.faces) return over(piece.at, "faces", mesh.faces, limits_.faces);
+    return Done{};
+  }
+
+  /// Before another mesh, or the end of the file.
+  Expected<Done> finish_mesh(const Section& next) {
+    if (meshes.empty()) return Done{};
+    if (pieces_to_come_ > 0)
+      return invalid(next, "expected " + std::to_string(pieces_to_come_) + " more pieces");
+    if (auto ok = finish_piece(); !ok) return ok;
+    const MeshSections& mesh = meshes.back();
+    // A face takes a decision at least.
+    if (const auto& order = mesh.order;
+        order.at > 0 && mesh.faces > max_decisions_per_byte * order.bytes.size())
+      return fail(ErrorCode::invalid, Place::byte, order.at,
+                  "the order of " + std::to_string(mesh.faces) + " faces cannot be coded in " +
+                      std::to_string(order.bytes.size()) + " bytes");
+    return Done{};
+  }
+
+  Expected<Done> add_attribute(const Section& section, PieceSections& piece) {
+    auto attribute = read_attribute(section, piece);
+    if (!attribute) return Failure{attribute.error()};
+    const std::uint64_t size = attribute->count * attribute->header.attribute.stride();
+    if (!spend(size)) return over(section.at, "bytes for values and more", size, limits_.memory);
+    piece.attributes.push_back(std::move(*attribute));
+    return Done{};
+  }
+
+  bool spend(std::uint64_t bytes) {
+    if (bytes > memory_) return false;
+    memory_ -= bytes;
+    return true;
+  }
+
+  const Limits& limits_;
+  std::uint64_t memory_;
+  std::uint64_t pieces_to_come_ = 0;  ///< of the latest mesh
+};
+
 }  // namespace
 
 Expected<std::vector<MeshSections>> read_meshes(ContainerReader& file, const Limits& limits) {
   if (auto ok = file.open(); !ok) return Failure{ok.error()};
-  std::vector<MeshSections> meshes;
-  // No more than can be addressed, so that sizes below fit in std::size_t.
-  std::uint64_t left = std::min<std::uint64_t>(limits.memory, PTRDIFF_MAX);
-  const auto take = [&](std::uint64_t bytes) {
-    if (bytes > left) return false;
-    left -= bytes;
-    return true;
-  };
-  for (;;) {
+  MeshesReader reader(limits);
+  for (bool more = true; more;) {
     auto section = file.next();
     if (!section) return Failure{section.error()};
-    if (section->kind == SectionKind::end) break;
-    if (section->kind != SectionKind::mesh && meshes.empty())
-      return fail(ErrorCode::invalid, Place::byte, section->at, "expected a mesh first");
-    switch (section->kind) {
-      case SectionKind::mesh: {
-        if (meshes.size() >= limits.meshes)
-          return over(section->at, "meshes or more", meshes.size() + 1, limits.meshes);
-        auto mesh = read_mesh(*section, limits);
-        if (!mesh) return Failure{mesh.error()};
-        const bool sizes = mesh->features & (feature::polygons | feature::loose | feature::plain);
-        const std::uint64_t size = 4 * (mesh->corners + (sizes ? mesh->faces : 0));
-        if (!take(size)) return over(section->at, "bytes for faces and more", size, limits.memory);
-        meshes.push_back(std::move(*mesh));
-        break;
-      }
-      case SectionKind::attribute: {
-        auto attribute = read_attribute(*section, meshes.back());
-        if (!attribute) return Failure{attribute.error()};
-        const std::uint64_t size = attribute->count * attribute->header.attribute.stride();
-        if (!take(size)) return over(section->at, "bytes for values and more", size, limits.memory);
-        meshes.back().attributes.push_back(std::move(*attribute));
-        break;
-      }
-      case SectionKind::name:
-        meshes.back().name.assign(reinterpret_cast<const char*>(section->payload.data()),
-                                  section->payload.size());
-        break;
-      case SectionKind::order: {
-        MeshSections& mesh = meshes.back();
-        if (!mesh.order.bytes.empty() || mesh.features == feature::plain)
-          return fail(ErrorCode::invalid, Place::byte, section->at, "an order where none can be");
-        mesh.order = {section->payload, section->at};
-        // A face takes a decision at least.
-        if (mesh.faces > max_decisions_per_byte * section->payload.size())
-          return fail(ErrorCode::invalid, Place::byte, section->at,
-                      "the order of " + std::to_string(mesh.faces) + " faces cannot be coded in " +
-                          std::to_string(section->payload.size()) + " bytes");
-        break;
-      }
-      case SectionKind::end: break;
-    }
+    if (auto ok = reader.take(*section); !ok) return Failure{ok.error()};
+    more = section->kind != SectionKind::end;
   }
-  if (file.meshes() != meshes.size())
-    return fail(ErrorCode::invalid, std::to_string(meshes.size()) + " meshes, but the file says " +
+  if (file.meshes() != reader.meshes.size())
+    return fail(ErrorCode::invalid, std::to_string(reader.meshes.size()) +
+                                        " meshes, but the file says " +
                                         std::to_string(file.meshes()));
-  return meshes;
+  return std::move(reader.meshes);
 }
 
 }  // namespace clers

@@ -2,6 +2,7 @@
 #ifndef CLERS_CODEC_MESH_READER_H
 #define CLERS_CODEC_MESH_READER_H
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -15,25 +16,26 @@
 
 namespace clers {
 
-/// One mesh of a file: its sections, with what they say about sizes.
-struct MeshSections {
+/// A part of a file that decodes alone: a mesh, or a piece of one.
+struct PieceSections {
   /// A stream of codec/format.md that undoes something.
   struct Stream {
     std::span<const std::byte> bytes;
     std::uint64_t at = 0;
   };
-  std::uint64_t vertices = 0, faces = 0, corners = 0;  ///< of the mesh
-  std::uint64_t surface_vertices = 0;                  ///< of the mesh, that its surface has
+  std::uint64_t vertices = 0, faces = 0, corners = 0;  ///< of the piece
+  std::uint64_t surface_vertices = 0;                  ///< of the piece, that its surface has
   std::uint64_t surface_faces = 0;                     ///< that are not loose
   std::uint32_t features = 0;
   std::uint64_t turned_runs = 0;
-  std::uint64_t copies = 0;  ///< vertices that the surface has more than the mesh
+  std::uint64_t copies = 0;  ///< vertices that the surface has more than the piece
   std::uint64_t loose_faces = 0, loose_corners = 0;
-  Stream turned, polygons, stitches, loose, plain, order;
+  Stream turned, polygons, stitches, loose, plain;
   ConnectivityHeader connectivity;
   std::span<const std::byte> connectivity_bytes;  ///< without what stands before
   std::uint64_t connectivity_at = 0;
   std::uint64_t payload_size = 0;
+  std::uint64_t at = 0;  ///< of the payload in the file
   struct AttributeSection {
     AttributeHeader header;
     std::span<const std::byte> bytes;
@@ -41,7 +43,29 @@ struct MeshSections {
     std::uint64_t count = 0;
   };
   std::vector<AttributeSection> attributes;
+
+  std::uint64_t shared = 0;  ///< vertices that are vertices of pieces before
+  Stream seam;
+  std::uint64_t seam_size = 0;  ///< of the section's payload
+  /// Where in the mesh what is the piece's own begins.
+  std::uint64_t first_vertex = 0, first_face = 0, first_corner = 0;
+
+  bool may_have_sizes() const {
+    return features & (feature::polygons | feature::loose | feature::plain);
+  }
+};
+
+/// One mesh of a file: its sections, with what they say about sizes.
+struct MeshSections {
+  std::vector<PieceSections> pieces;  ///< one at least
+  std::uint64_t vertices = 0, faces = 0, corners = 0;
+  PieceSections::Stream order;
   std::string name;
+
+  bool may_have_sizes() const {
+    return std::any_of(pieces.begin(), pieces.end(),
+                       [](const PieceSections& p) { return p.may_have_sizes(); });
+  }
 };
 
 /// Everything that can be checked before a mesh is decoded, against the limits too.

@@ -1,0 +1,48 @@
+// Independent pieces of work, done by several threads.
+#ifndef CLERS_CODEC_PARALLEL_H
+#define CLERS_CODEC_PARALLEL_H
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace clers {
+
+/// Calls work(item, worker) once for each item 0 .. items - 1, from up to `threads` threads.
+/// Workers have numbers below `threads`; worker 0 is the calling thread. Items are begun in their
+/// order. When one throws, no more are begun, and what it threw is thrown again at the end.
+template <class Work>
+void for_each_item(std::size_t items, unsigned threads, const Work& work) {
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr thrown;
+  std::mutex guards_thrown;
+  const auto run = [&](unsigned worker) {
+    try {
+      for (std::size_t item; (item = next.fetch_add(1)) < items;) work(item, worker);
+    } catch (...) {
+      next = items;
+      const std::lock_guard lock(guards_thrown);
+      if (!thrown) thrown = std::current_exception();
+    }
+  };
+  {
+    const std::size_t most = std::min<std::size_t>(threads, items);
+    std::vector<std::jthread> others;
+    others.reserve(most);
+    try {
+      for (unsigned worker = 1; worker < most; ++worker) others.emplace_back(run, worker);
+    } catch (const std::system_error&) {  // no more threads to be had: those there are do it
+    }
+    run(0);
+  }
+  if (thrown) std::rethrow_exception(thrown);
+}
+
+}  // namespace clers
+
+#endif

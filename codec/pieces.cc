@@ -1,0 +1,246 @@
+#include "codec/pieces.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "codec/mesh_features.h"
+#include "codec/seams.h"
+
+namespace clers {
+namespace {
+
+constexpr std::uint32_t none = 0xffffffffu;
+
+/// The piece as it will be cut out of the decoded mesh: in its order, but for the vertices. `order`
+/// tells how it was coded, and will tell how the result came of the whole mesh.
+Mesh decoded(const Mesh& piece, Permutation& order) {
+  Mesh result;
+  result.vertex_count = piece.vertex_count;
+  CodedFaces faces = in_coded_order(piece, order);
+  result.corners = std::move(faces.corners);
+  result.face_sizes = std::move(faces.sizes);
+  std::vector<std::uint32_t> number(piece.vertex_count, none), vertices;
+  vertices.reserve(piece.vertex_count);
+  const auto meet = [&](std::uint32_t v) {
+    if (number[v] == none) {
+      number[v] = static_cast<std::uint32_t>(vertices.size());
+      vertices.push_back(order.vertices[v]);
+    }
+    return number[v];
+  };
+  for (std::uint32_t& v : result.corners) v = meet(v);
+  for (std::uint32_t v = 0; v < piece.vertex_count; ++v) meet(v);
+  order.vertices = std::move(vertices);
+  for (const Attribute& a : piece.attributes)
+    result.attributes.push_back(in_coded_order(a, piece, order));
+  return result;
+}
+
+/// `second` tells how what `first` has made was renumbered.
+Permutation composed(const Permutation& first, Permutation second, const Mesh& mesh) {
+  for (std::uint32_t& v : second.vertices) v = first.vertices[v];
+  for (std::size_t i = 0; i < second.faces.size(); ++i) {
+    const std::uint32_t before = second.faces[i], f = first.faces[before];
+    const std::uint32_t size = mesh.triangles_only() ? 3 : mesh.face_sizes[before];
+    second.faces[i] = f;
+    if (size > 0)
+      second.first_corners[i] = (second.first_corners[i] + first.first_corners[before]) % size;
+  }
+  return second;
+}
+
+std::size_t size_of(const EncodedMesh& m) {
+  std::size_t size = 0;
+  for (const EncodedSection& s : m.sections) size += s.payload.size();
+  return size;
+}
+
+/// Fewer bytes, or of as many the first in the alphabet: any order will do that is one.
+bool is_less(const EncodedMesh& a, const EncodedMesh& b) {
+  if (size_of(a) != size_of(b)) return size_of(a) < size_of(b);
+  return std::lexicographical_compare(
+      a.sections.begin(), a.sections.end(), b.sections.begin(), b.sections.end(),
+      [](const EncodedSection& x, const EncodedSection& y) { return x.payload < y.payload; });
+}
+
+/// Adds what is told of a piece that shares vertices with those before.
+void add(const MeshInfo& piece, std::uint64_t shared, MeshInfo& whole) {
+  whole.shape.vertices += piece.shape.vertices - shared;
+  whole.shape.faces += piece.shape.faces;
+  whole.shape.triangles += piece.shape.triangles;
+  whole.cuts.turned_faces += piece.cuts.turned_faces;
+  whole.cuts.copied_vertices += piece.cuts.copied_vertices;
+  whole.cuts.loose_faces += piece.cuts.loose_faces;
+  for (std::size_t i = 0; i < piece.clers.size(); ++i) whole.clers[i] += piece.clers[i];
+  whole.connectivity_bytes += piece.connectivity_bytes;
+  whole.polygon_bytes += piece.polygon_bytes;
+  whole.stitching_bytes += piece.stitching_bytes;
+  whole.position_bytes += piece.position_bytes;
+  whole.attribute_bytes += piece.attribute_bytes;
+  const bool first = whole.attributes.empty();
+  for (std::size_t i = 0; i < piece.attributes.size(); ++i) {
+    const AttributeInfo& a = piece.attributes[i];
+    if (first) whole.attributes.push_back({a.name, a.domain, a.scalar, a.components, 0, 0});
+    whole.attributes[i].count += a.count - (a.domain == Domain::vertex ? shared : 0);
+    whole.attributes[i].bytes += a.bytes;
+  }
+}
+
+}  // namespace
+
+PieceCutter::PieceCutter(const Mesh& mesh, Partition parts)
+    : mesh_(mesh), parts_(std::move(parts)) {
+  begins_.reserve(mesh.face_sizes.size());
+  std::uint32_t begin = 0;
+  for (const std::uint32_t size : mesh.face_sizes) {
+    begins_.push_back(begin);
+    begin += size;
+  }
+  std::vector<bool> used(mesh.vertex_count);
+  for (const std::uint32_t v : mesh.corners) used[v] = true;
+  for (std::uint32_t v = 0; v < mesh.vertex_count; ++v)
+    if (!used[v]) isolated_.push_back(v);
+}
+
+PieceCutter::Piece PieceCutter::cut(std::size_t piece, std::vector<std::uint32_t>& number) const {
+  Piece result;
+  Mesh& mesh = result.mesh;
+  number.resize(std::max<std::size_t>(number.size(), mesh_.vertex_count), none);
+  const auto faces = parts_.piece(piece);
+  mesh.corners.reserve(3 * faces.size());
+  const auto size = [&](std::uint32_t f) { return begins_.empty() ? 3 : mesh_.face_sizes[f]; };
+  const auto begin = [&](std::uint32_t f) {
+    return begins_.empty() ? 3 * std::size_t(f) : begins_[f];
+  };
+  for (const std::uint32_t f : faces) {
+    const std::uint32_t* corner = mesh_.corners.data() + begin(f);
+    for (std::uint32_t j = 0; j < size(f); ++j) {
+      std::uint32_t& v = number[corner[j]];
+      if (v == none) {
+        v = static_cast<std::uint32_t>(result.vertices.size());
+        result.vertices.push_back(corner[j]);
+      }
+      mesh.corners.push_back(v);
+    }
+    if (!begins_.empty()) mesh.face_sizes.push_back(size(f));
+  }
+  for (const std::uint32_t v : result.vertices) number[v] = none;
+  if (piece + 1 == parts_.count())
+    result.vertices.insert(result.vertices.end(), isolated_.begin(), isolated_.end());
+  mesh.vertex_count = static_cast<std::uint32_t>(result.vertices.size());
+
+  for (const Attribute& a : mesh_.attributes) {
+    Attribute part{a.name, a.domain, a.scalar, a.components, {}};
+    const auto copy = [&](std::size_t first, std::size_t values) {
+      const auto from = a.data.begin() + static_cast<std::ptrdiff_t>(first * a.stride());
+      part.data.insert(part.data.end(), from,
+                       from + static_cast<std::ptrdiff_t>(values * a.stride()));
+    };
+    switch (a.domain) {
+      case Domain::vertex:
+        part.data.reserve(result.vertices.size() * a.stride());
+        for (const std::uint32_t v : result.vertices) copy(v, 1);
+        break;
+      case Domain::face:
+        part.data.reserve(faces.size() * a.stride());
+        for (const std::uint32_t f : faces) copy(f, 1);
+        break;
+      case Domain::corner:
+        part.data.reserve(mesh.corners.size() * a.stride());
+        for (const std::uint32_t f : faces) copy(begin(f), size(f));
+        break;
+    }
+    mesh.attributes.push_back(std::move(part));
+  }
+  return result;
+}
+
+Expected<EncodedMesh> encode_piece(PieceCutter::Piece piece, std::span<const std::uint32_t> faces,
+                                   const EncodeOptions& options, const Progress& progress) {
+  Mesh mesh = std::move(piece.mesh);
+  auto coded = encode_mesh(mesh, options, 1, progress);
+  if (!coded) return coded;
+  if (!coded->settled) {
+    // As in encode_surface: coding what was coded leads into a circle, nearly always of one, and of
+    // that the least is taken.
+    constexpr std::size_t most_rounds = 16;
+    Permutation so_far;  // how `mesh` came of the piece
+    set_identity(mesh, so_far);
+    std::vector<EncodedMesh> history;
+    for (;;) {
+      Permutation order = coded->order;
+      coded->order = composed(so_far, std::move(coded->order), mesh);
+      const auto seen = std::find_if(history.begin(), history.end(), [&](const EncodedMesh& m) {
+        return m.sections == coded->sections;
+      });
+      if (seen != history.end()) coded = std::move(*std::min_element(seen, history.end(), is_less));
+      if (seen != history.end() || history.size() == most_rounds) break;
+      history.push_back(std::move(*coded));
+      Mesh next = decoded(mesh, order);
+      so_far = composed(so_far, std::move(order), mesh);
+      mesh = std::move(next);
+      coded = encode_mesh(mesh, options, 1, progress);
+      if (!coded) return coded;
+    }
+  }
+  for (std::uint32_t& v : coded->order.vertices) v = piece.vertices[v];
+  for (std::uint32_t& f : coded->order.faces) f = faces[f];
+  return coded;
+}
+
+EncodedMesh join(std::vector<EncodedMesh> pieces, const Mesh& mesh) {
+  EncodedMesh whole;
+  whole.shape_known = true;
+  Bytes count;
+  put_varint(count, pieces.size());
+  whole.sections.push_back({SectionKind::pieces, std::move(count)});
+  whole.info.name = mesh.name;
+  whole.info.pieces = pieces.size();
+  whole.order.vertices.reserve(mesh.vertex_count);
+  whole.order.faces.reserve(mesh.face_count());
+  whole.order.first_corners.reserve(mesh.face_count());
+  std::vector<std::uint32_t> number(mesh.vertex_count, none), numbers;
+  for (EncodedMesh& piece : pieces) {
+    const std::uint32_t first_own = static_cast<std::uint32_t>(whole.order.vertices.size());
+    numbers.clear();
+    for (const std::uint32_t v : piece.order.vertices) {
+      if (number[v] == none) {
+        number[v] = static_cast<std::uint32_t>(whole.order.vertices.size());
+        whole.order.vertices.push_back(v);
+      }
+      numbers.push_back(number[v]);
+    }
+    const auto append = [](std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& from) {
+      to.insert(to.end(), from.begin(), from.end());
+    };
+    append(whole.order.faces, piece.order.faces);
+    append(whole.order.first_corners, piece.order.first_corners);
+
+    const std::size_t shared = numbers.size() - (whole.order.vertices.size() - first_own);
+    for (EncodedSection& section : piece.sections) {
+      const bool is_mesh = section.kind == SectionKind::mesh;
+      whole.sections.push_back(std::move(section));
+      if (!is_mesh || shared == 0) continue;
+      Bytes seam;
+      put_varint(seam, shared);
+      rans::Encoder stream;
+      EncodeTo coder(stream);
+      SeamModel model;
+      for (const SeamRun& run : seam_runs(numbers, first_own)) model.code(coder, run);
+      stream.finish(seam);
+      whole.info.connectivity_bytes += seam.size();
+      whole.info.stitching_bytes += seam.size();
+      whole.sections.push_back({SectionKind::seam, std::move(seam)});
+    }
+    add(piece.info, shared, whole.info);
+    piece = {};
+  }
+  std::vector<bool> used(mesh.vertex_count);
+  for (const std::uint32_t v : mesh.corners) used[v] = true;
+  whole.info.shape.isolated_vertices =
+      static_cast<std::uint64_t>(std::count(used.begin(), used.end(), false));
+  return whole;
+}
+
+}  // namespace clers
