@@ -64,7 +64,19 @@ Outcome<std::vector<Mesh>> read_clers(const Options& options, const std::string&
   progress.show("reading", 0);
   const Outcome<Bytes> bytes = read_file(path);
   if (!bytes) return Failure{bytes.error()};
-  Expected<std::vector<Mesh>> meshes = clers::decode(*bytes, {options.limits, progress.callback()});
+  DecodeOptions how = options.decode;
+  how.progress = progress.callback();
+  if (options.piece) {
+    Expected<Piece> piece = clers::decode_piece(*bytes, *options.piece, how);
+    if (!piece)
+      return piece.error().code == ErrorCode::bad_option
+                 ? stop(Exit::usage, input_name(path) + ": " + piece.error().what)
+                 : stop(input_name(path), piece.error());
+    std::vector<Mesh> one;
+    one.push_back(std::move(piece->mesh));
+    return one;
+  }
+  Expected<std::vector<Mesh>> meshes = clers::decode(*bytes, how);
   if (!meshes) return stop(input_name(path), meshes.error());
   return std::move(*meshes);
 }

@@ -25,7 +25,8 @@ struct Options {
   bool json = false;
   EncodeOptions encode;
   Subdivision subdivision;
-  Limits limits;
+  DecodeOptions decode;
+  std::optional<std::size_t> piece;  ///< decode only this one
 };
 
 /// Each prints its own errors and returns the exit status.

@@ -1,9 +1,12 @@
 // The command line of clers. The only file that knows the argument parser.
+#include <fmt/format.h>
 #include <signal.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <map>
+#include <thread>
 
 #include "codec/cli/commands.h"
 #include "codec/cli/files.h"
@@ -26,6 +29,16 @@ bool parse_size(const std::string& text, std::uint64_t& size) {
     return false;
   size <<= 10 * power;
   return true;
+}
+
+/// A number of faces, 0 for the default rule, or "never".
+bool parse_pieces(const std::string& text, std::uint32_t& faces) {
+  if (text == "never") {
+    faces = never_in_pieces;
+    return true;
+  }
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), faces);
+  return error == std::errc() && end == text.data() + text.size();
 }
 
 class CommandLine {
@@ -59,6 +72,17 @@ class CommandLine {
         ->transform(CLI::Transformer(
             std::map<std::string, Order>{{"free", Order::free}, {"keep", Order::keep}}))
         ->option_text("free|keep (default free)");
+    encode
+        .add_option(
+            "--pieces",
+            [this](const std::vector<std::string>& values) {
+              return parse_pieces(values.back(), options_.encode.piece_faces);
+            },
+            "code meshes of more faces in pieces of about so many, which decode alone")
+        ->type_name("N|never")
+        ->option_text(fmt::format("N|never (default {}, for meshes of more than {})",
+                                  default_piece_faces, most_faces_whole));
+    threads(encode);
     oddity(encode, "--on-nonmanifold", options_.encode.on_nonmanifold,
            "edges of more than two faces, vertices of several fans, one-sided surfaces");
     oddity(encode, "--on-degenerate", options_.encode.on_degenerate,
@@ -77,6 +101,11 @@ class CommandLine {
     output(decode, "the mesh file, or a directory for several");
     format(decode, "--to", options_.to, "format of the output; default: by its name");
     decode.add_flag("--text", options_.text, "text instead of binary, for ply and stl");
+    decode
+        .add_option("--piece", options_.piece,
+                    "only this piece of all meshes', from 0; clers info says how many there are")
+        ->type_name("K");
+    threads(decode);
     force(decode);
     limits(decode);
     quiet(decode);
@@ -99,6 +128,7 @@ class CommandLine {
         ->type_name("FILE");
     one_input(verify, "IN", "the .clers file");
     from(verify);
+    threads(verify);
     limits(verify);
     quiet(verify);
 
@@ -205,17 +235,27 @@ class CommandLine {
     sub.add_flag("-q,--quiet", options_.quiet, "no notes, no progress; errors only");
   }
   void json(CLI::App& sub) { sub.add_flag("--json", options_.json, "JSON, for programs"); }
+  void threads(CLI::App& sub) {
+    const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+    options_.encode.threads = options_.decode.threads = cores;
+    sub.add_option_function<unsigned>(
+           "--threads",
+           [this](unsigned n) { options_.encode.threads = options_.decode.threads = n; },
+           "that work at the same time; they make no difference to the result")
+        ->check(CLI::Range(1, 1024))
+        ->option_text(fmt::format("N (default {}, the cores there are)", cores));
+  }
   void limits(CLI::App& sub) {
     sub.add_option(
            "--max-memory",
            [this](const std::vector<std::string>& values) {
-             return parse_size(values.back(), options_.limits.memory);
+             return parse_size(values.back(), options_.decode.limits.memory);
            },
            "what the decoded meshes may take")
         ->type_name("SIZE");
-    sub.add_option("--max-vertices", options_.limits.vertices, "that a mesh may have");
-    sub.add_option("--max-faces", options_.limits.faces, "that a mesh may have");
-    sub.add_option("--max-meshes", options_.limits.meshes, "that a file may have");
+    sub.add_option("--max-vertices", options_.decode.limits.vertices, "that a mesh may have");
+    sub.add_option("--max-faces", options_.decode.limits.faces, "that a mesh may have");
+    sub.add_option("--max-meshes", options_.decode.limits.meshes, "that a file may have");
   }
   Exit say(const std::string& text) {
     const Outcome<Done> printed = print(text);

@@ -29,8 +29,10 @@ void add(MeshShape& sum, const MeshShape& s) {
 
 MeshInfo total(const FileInfo& info) {
   MeshInfo sum;
+  sum.pieces = 0;
   for (const MeshInfo& mesh : info.meshes) {
     add(sum.shape, mesh.shape);
+    sum.pieces += mesh.pieces;
     sum.cuts.turned_faces += mesh.cuts.turned_faces;
     sum.cuts.copied_vertices += mesh.cuts.copied_vertices;
     sum.cuts.loose_faces += mesh.cuts.loose_faces;
@@ -73,6 +75,7 @@ double bits_per_triangle(const MeshInfo& m) {
 
 void put(Json& json, const MeshInfo& m) {
   put(json, m.shape);
+  json["pieces"] = m.pieces;
   json["turned_faces"] = m.cuts.turned_faces;
   json["copied_vertices"] = m.cuts.copied_vertices;
   json["loose_faces"] = m.cuts.loose_faces;
@@ -194,6 +197,7 @@ std::string info_text(const std::string& file, const FileInfo& info) {
     out += "all meshes\n";
   }
   put(out, sum.shape);
+  if (sum.pieces != info.meshes.size()) line(out, "pieces", sum.pieces);
   if (sum.cuts.turned_faces != 0) line(out, "turned faces", sum.cuts.turned_faces);
   if (sum.cuts.copied_vertices != 0) line(out, "copied vertices", sum.cuts.copied_vertices);
   if (sum.cuts.loose_faces != 0) line(out, "loose faces", sum.cuts.loose_faces);

@@ -72,6 +72,31 @@ for level in 1 9; do
 done
 
 
+# ---- Pieces and threads
+for threads in 1 2 5; do
+  run encode --pieces 50 --threads $threads grid.obj -o pieces-$threads.clers; ends "encode --pieces, $threads threads" 0
+  run verify --threads $threads grid.obj pieces-$threads.clers; ends "verify pieces, $threads threads" 0
+  check "$threads threads: the same bytes" cmp -s pieces-1.clers pieces-$threads.clers
+done
+run info pieces-1.clers; ends "info on pieces" 0
+check "info says how many pieces" grep -q "pieces  *4" out
+run info --json pieces-1.clers; check "and in JSON" grep -q '"pieces": 4' out
+faces=0
+for piece in 0 1 2 3; do
+  run decode --piece $piece pieces-1.clers -o piece.obj -f; ends "decode --piece $piece" 0
+  faces=$((faces + $(grep -c ^f piece.obj)))
+done
+check "the pieces are the whole" test $faces = 200
+run decode --piece 4 pieces-1.clers -o piece.obj -f; ends "no such piece" 2 "piece 4, there are 4"
+run encode --pieces never grid.obj -o never.clers; ends "encode --pieces never" 0
+check "never: as without" cmp -s never.clers grid.clers
+run encode --pieces 0 grid.obj -o never.clers -f; ends "encode --pieces 0" 0
+check "0: as without" cmp -s never.clers grid.clers
+for wrong in -1 x 5x; do
+  run encode --pieces $wrong grid.obj -o wrong.clers; ends "--pieces $wrong" 2 "--pieces"
+done
+run encode --threads 0 grid.obj -o wrong.clers; ends "--threads 0" 2 "--threads"
+
 # ---- What most codecs drop: non-manifold edges, duplicate and degenerate faces, polygons, the order
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n' >fan.obj
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\nf 1 2 2\n' >odd.obj
