@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <span>
+#include <vector>
 
 #include "codec/decode.h"
 #include "codec/encode.h"
@@ -73,12 +74,33 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.limits.faces = options.limits.vertices = 1u << 20;
   const auto bytes = std::as_bytes(std::span(data, size));
   auto meshes = clers::decode(bytes, options);
+  std::size_t faces = 0;
+  const auto in_pieces = clers::decode_pieces(
+      bytes,
+      [&](clers::Piece piece) {
+        check(piece.mesh);
+        for (const clers::SharedVertex& v : piece.seam)
+          require(v.vertex < piece.mesh.vertex_count && v.number < piece.first_vertex);
+        faces += piece.mesh.face_count();
+      },
+      options);
   if (!meshes) {
     require(meshes.error().code != clers::ErrorCode::internal);
     require(!clers::describe(meshes.error()).empty());
     return 0;
   }
-  for (const clers::Mesh& mesh : *meshes) check(mesh);
+  require(in_pieces.ok());
+  for (const clers::Mesh& mesh : *meshes) {
+    check(mesh);
+    faces -= mesh.face_count();
+  }
+  require(faces == 0);
+  if (meshes->size() == 1) {
+    std::vector<std::uint32_t> corners(meshes->front().corners.size());
+    const auto into = clers::decode_into(bytes, corners, {}, options);
+    require(into.ok() == meshes->front().triangles_only());
+    require(!into.ok() || corners == meshes->front().corners);
+  }
   require(clers::inspect(bytes).ok());
   return 0;
 }

@@ -57,6 +57,15 @@ bool write_all(const std::filesystem::path& root) {
   bool ok = true;
   std::vector<Mesh> all;
   for (const auto& [name, mesh] : meshes()) {
+    for (const std::uint32_t faces : {1u, 12u}) {
+      EncodeOptions options;
+      options.piece_faces = faces;
+      options.order = faces == 1 ? Order::free : Order::keep;
+      const auto encoded = encode({&mesh, 1}, options);
+      ok = ok && encoded &&
+           write(root / "decode_any" / (name + "-in-pieces-" + std::to_string(faces)),
+                 encoded->bytes);
+    }
     for (const int level : {1, 5, 9}) {
       for (const Order order : {Order::free, Order::keep}) {
         EncodeOptions options;
@@ -93,8 +102,9 @@ bool write_all(const std::filesystem::path& root) {
   ok = ok && together && write(root / "decode_any" / "all", together->bytes);
 
   // round_trip makes its meshes from any bytes: vertices, level, kind, then what to join.
-  for (unsigned kind = 0; kind < 8; ++kind) {
-    std::vector<std::byte> bytes = {std::byte(4 * kind), std::byte(kind), std::byte(kind)};
+  for (unsigned kind = 0; kind < 16; ++kind) {  // the second half in pieces
+    std::vector<std::byte> bytes = {std::byte(4 * kind), std::byte(kind),
+                                    std::byte(kind % 8 + (kind < 8 ? 0 : 24))};
     for (unsigned i = 0; i < 40 + 10 * kind; ++i) bytes.push_back(std::byte(i * (37 + 2 * kind)));
     ok = ok && write(root / "round_trip" / std::to_string(kind), bytes);
   }
