@@ -344,16 +344,21 @@ check "subdivide notes what it leaves out" test "$(grep -c 'left out' err)" -eq 
 
 # ---- Progress
 if command -v script >/dev/null; then
-  grid 1200 >huge.obj
-  script -qec "'$clers' encode huge.obj -o huge.clers -f" /dev/null >terminal </dev/null; status=$?
-  check "a terminal sees a bar" grep -q '\[#*\.*\] .*%.*huge.obj' terminal
+  # A bar comes after half a second, which a slow input takes on any machine.
+  on_terminal() { # ARGUMENTS...
+    script -qec "{ sleep 0.7; cat medium.obj; } | '$clers' $*" /dev/null >terminal </dev/null
+    status=$?
+  }
+  grid 150 >medium.obj
+  on_terminal encode --from obj - -o medium.clers -f
+  check "a terminal sees a bar" grep -q '\[#*\.*\] .*%.*standard input' terminal
   check "that is erased at the end" eval 'tail -c 4 terminal | grep -q "\[K"'
-  script -qec "'$clers' encode -q huge.obj -o huge.clers -f" /dev/null >terminal </dev/null
+  on_terminal encode -q --from obj - -o medium.clers -f
   check "-q shows none" test ! -s terminal
-  run encode huge.obj -o huge.clers -f; ends "a file sees none" 0
-  grid 250 >large.obj
-  script -qec "'$clers' subdivide large.obj -o larger.ply --scheme loop --times 2" /dev/null >terminal </dev/null; status=$?
-  check "a terminal sees how subdivision goes" grep -q '% .*large.obj' terminal
+  on_terminal subdivide --from obj - -o larger.ply --scheme loop --times 2
+  check "a terminal sees how subdivision goes" grep -q '% subdividing .*standard input' terminal
+  { sleep 0.7; cat medium.obj; } | "$clers" encode --from obj - -o medium.clers -f >out 2>err
+  status=$?; ends "a file sees none" 0
 else
   echo "not tested: the progress bar (needs script)"
 fi
