@@ -47,6 +47,7 @@ clers::Mesh mesh_from(std::span<const std::uint8_t> in, clers::EncodeOptions& op
   if (in[2] & 4) options.order = clers::Order::keep;
   constexpr std::uint32_t pieces[] = {0, 1, 2, 5, 20, 50, 100, 200};
   options.piece_faces = pieces[in[2] >> 3 & 7];
+  const std::size_t axis = in[2] % 3u;
   in = in.subspan(3);
   const std::size_t faces = std::min<std::size_t>(in.size() / 4, 400);
   if (kind == 0) {
@@ -65,7 +66,7 @@ clers::Mesh mesh_from(std::span<const std::uint8_t> in, clers::EncodeOptions& op
     position.data[i] = static_cast<std::byte>(in[i % in.size()] * (i / in.size() + 1));
   if (options.piece_faces > 0)
     for (std::uint32_t v = 0; v < mesh.vertex_count; ++v)
-      std::memcpy(position.data.data() + 12 * std::size_t(v) + 4 * (in[2] % 3), &v, 4);
+      std::memcpy(position.data.data() + 12 * std::size_t(v) + 4 * axis, &v, 4);
   mesh.attributes.push_back(std::move(position));
   clers::Attribute mark{"mark", clers::Domain::corner, clers::Scalar::uint8, 1, {}};
   for (std::size_t i = 0; i < mesh.corners.size(); ++i)
