@@ -72,20 +72,21 @@ void adjacency(benchmark::State& state) {
 }
 BENCHMARK(adjacency)->Apply(shapes);
 
-// Unbuilding by detach and unglue, until every triangle has its letter.
+// Unbuilding by detach and unglue, until every triangle has its letter and its context.
 void traversal(benchmark::State& state) {
   const Surface s(mesh_of(state));
   std::vector<HalfEdge> twins(s.twins.size());
   for (auto _ : state) {
     std::copy(s.twins.begin(), s.twins.end(), twins.begin());
     NoWitness witness;
-    benchmark::DoNotOptimize(Edgebreaker<NoWitness>({s.corners, twins, s.vertices}, witness).run());
+    benchmark::DoNotOptimize(
+        Edgebreaker<NoWitness, true>({s.corners, twins, s.vertices}, witness).run());
   }
   count_items(state, s.twins.size() / 3);
 }
 BENCHMARK(traversal)->Apply(shapes);
 
-// Traversal, building again for the contexts, choice of model, coding.
+// Traversal, choice of model, coding.
 void connectivity_encode(benchmark::State& state) {
   const Surface s(mesh_of(state));
   for (auto _ : state) benchmark::DoNotOptimize(encoded(s));

@@ -15,6 +15,8 @@
 namespace clers {
 namespace {
 
+static_assert(Traversal::max_valence == ContextTables::max_valence);
+
 /// What is told besides a symbol, in the order of decoding.
 struct Event {
   enum class Kind : std::uint8_t { new_component, closed, special, split, join };
@@ -25,7 +27,61 @@ struct Event {
   std::uint32_t curve = 0;     ///< split, join: number of the curve that is split off
   std::uint32_t distance = 0;  ///< split: edges back to the split; join: position on the curve
   std::uint32_t length = 0;    ///< split, join: edges of the curve walked on
+  bool operator==(const Event&) const = default;
 };
+
+/// What a decoder will have to be told, and what it will know then.
+struct Record {
+  std::vector<std::uint8_t> contexts;  ///< valence << 3 | letter, in the order of decoding
+  std::vector<Event> events;
+  std::uint32_t curves = 0;             ///< that special S split off
+  std::vector<std::uint32_t> vertices;  ///< vertices[new] = old
+};
+
+/// The record of a traversal without special S. Only what is asked at an E depends on the surface,
+/// and only on the length of the curve there.
+Record plain_record(Traversal& traversal) {
+  Record record;
+  record.contexts = std::move(traversal.contexts);
+  record.vertices = std::move(traversal.vertices);
+  std::vector<Event>& events = record.events;
+  const std::uint32_t faces = static_cast<std::uint32_t>(record.contexts.size());
+  std::size_t next_start = traversal.starts.size();
+  std::vector<std::uint32_t> aside;  // lengths of the curves whose gates are put aside
+  std::uint32_t length = 3;
+  const auto end_component = [&](std::uint32_t symbol) {
+    --next_start;
+    if (length == 2)
+      events.push_back({symbol, Event::Kind::closed, traversal.starts[next_start].closed});
+  };
+  for (std::uint32_t i = 1; i < faces; ++i) {
+    switch (static_cast<Clers>(record.contexts[i] & 7)) {
+      case Clers::C: --length; break;
+      case Clers::R:
+      case Clers::L: ++length; break;
+      case Clers::S:
+        events.push_back({i, Event::Kind::special, false});
+        length += aside.back() - 1;
+        aside.pop_back();
+        break;
+      case Clers::E: {
+        bool ends = false;
+        if (aside.empty()) {
+          ends = traversal.starts[next_start - 1].index == faces - i;
+          events.push_back({i, Event::Kind::new_component, ends, length == 2});
+        }
+        if (ends)
+          end_component(i);
+        else
+          aside.push_back(length);
+        length = 3;
+        break;
+      }
+    }
+  }
+  end_component(faces - 1);
+  return record;
+}
 
 /// Answers the driver's questions from a traversal, and writes down what a decoder will have to be
 /// told in which context.
@@ -38,7 +94,7 @@ class RecordingSource {
         building_(building),
         faces_(static_cast<std::uint32_t>(traversal.gates.size())),
         index_(faces_) {
-    contexts.resize(faces_);
+    record.contexts.resize(faces_);
     next_start_ = traversal.starts.size();
     next_special_ = traversal.specials.size();
     if (!traversal.specials.empty()) {
@@ -59,12 +115,12 @@ class RecordingSource {
   bool new_component(bool two_edges) {
     // Letters come last to first: a component ends where the one decoded before it started.
     const bool value = traversal_.starts[next_start_ - 1].index == index_ + 1;
-    events.push_back({done(), Event::Kind::new_component, value, two_edges});
+    record.events.push_back({done(), Event::Kind::new_component, value, two_edges});
     return value;
   }
   bool closed() {
     const bool value = traversal_.starts[next_start_ - 1].closed;
-    events.push_back({done(), Event::Kind::closed, value});
+    record.events.push_back({done(), Event::Kind::closed, value});
     return value;
   }
   void component_ended() {
@@ -74,7 +130,7 @@ class RecordingSource {
 
   bool special() {
     const bool value = is_special();
-    events.push_back({done(), Event::Kind::special, value});
+    record.events.push_back({done(), Event::Kind::special, value});
     return value;
   }
 
@@ -91,10 +147,10 @@ class RecordingSource {
       waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(w));
       position_ = 0;
       for (std::uint32_t v = waiting[w]; v != q; v = links[v].prev) ++position_;
-      events.push_back({done(), Event::Kind::join, false, false, curve, position_, 0});
+      record.events.push_back({done(), Event::Kind::join, false, false, curve, position_, 0});
       return SpecialS::join;
     }
-    const std::uint32_t number = curves_++;
+    const std::uint32_t number = record.curves++;
     distance_ = 0;
     for (std::uint32_t v = gate.x; v != q || distance_ == 0;) {
       // Not there: the vertex was marked from another fan of its corners.
@@ -104,32 +160,31 @@ class RecordingSource {
       ++distance_;
     }
     waiting_.push_back(number);
-    events.push_back({done(), Event::Kind::split, false, false, number, distance_, 0});
+    record.events.push_back({done(), Event::Kind::split, false, false, number, distance_, 0});
     return SpecialS::split;
   }
   /// Holes show at the component's end. Asked for one before, no length is right.
   std::uint64_t hole_length() { return 0; }
   std::uint64_t split_distance(std::uint64_t n) {
-    events.back().length = static_cast<std::uint32_t>(n);
+    record.events.back().length = static_cast<std::uint32_t>(n);
     return distance_;
   }
   std::uint32_t join_curve(std::uint32_t) { return recency_; }
   std::uint32_t join_position(std::uint32_t n) {
-    events.back().length = n;
+    record.events.back().length = n;
     return position_;
   }
 
-  std::vector<std::uint8_t> contexts;  ///< valence << 3 | letter, in the order of decoding
-  std::vector<Event> events;
-  std::uint32_t curves() const { return curves_; }
+  Record record;
 
  private:
   static constexpr std::uint32_t no_curve = 0xffffffffu;
 
   void step(std::uint32_t kx) {
     --index_;
-    contexts[done()] = static_cast<std::uint8_t>(std::min(kx, ContextTables::max_valence) << 3 |
-                                                 static_cast<unsigned>(traversal_.letters[index_]));
+    record.contexts[done()] =
+        static_cast<std::uint8_t>(std::min(kx, Traversal::max_valence) << 3 |
+                                  static_cast<unsigned>(traversal_.letters[index_]));
   }
   std::uint32_t done() const { return faces_ - 1 - index_; }
 
@@ -155,7 +210,6 @@ class RecordingSource {
   std::vector<std::uint32_t> curve_of_;  ///< last curve that a vertex was split off with
   std::vector<std::uint32_t>
       waiting_;  ///< numbers of the curves that are split off, as in the driver
-  std::uint32_t curves_ = 0;
   std::uint32_t recency_ = 0, position_ = 0, distance_ = 0;
 };
 
@@ -288,9 +342,9 @@ class Answers {
 /// know of it.
 class TellingSource : public Answers {
  public:
-  TellingSource(const Traversal& traversal, const RecordingSource& record, std::size_t ids,
+  TellingSource(const Traversal& traversal, const Record& record, std::size_t ids,
                 rans::Encoder& out)
-      : Answers(record.events, record.curves(), out),
+      : Answers(record.events, record.curves, out),
         letters_(traversal.letters),
         left_(letters_.size()),
         coder_(out),
@@ -384,8 +438,7 @@ struct Told {
 };
 
 /// Tells the letters and answers with a model.
-Told tell(LetterModel model, const Traversal& traversal, const RecordingSource& record,
-          std::size_t ids) {
+Told tell(LetterModel model, const Traversal& traversal, const Record& record, std::size_t ids) {
   Told told;
   told.model = model;
   rans::Encoder stream;
@@ -413,7 +466,7 @@ Told tell(LetterModel model, const Traversal& traversal, const RecordingSource& 
     if (breakage.broken != Broken::none) told.steps = ~std::uint64_t(0);
     return told;
   }
-  Answers answers(record.events, record.curves(), stream);
+  Answers answers(record.events, record.curves, stream);
   // put(letter, valence) for each, and the answers where they are asked for.
   const auto tell_all = [&](auto put) {
     std::uint32_t next = answers.next_symbol();
@@ -494,6 +547,47 @@ bool agree(const UnbuildingMirror& unbuilt, const BuildingMirror& built) {
                     built.trace.rend());
 }
 
+bool agree(const Record& a, const Record& b) {
+  return a.contexts == b.contexts && a.events == b.events && a.vertices == b.vertices;
+}
+
+/// The record of any traversal, by building the surface again. Errors: nonmanifold_vertex.
+template <class Pairing>
+Expected<Record> built_record(std::span<const std::uint32_t> org, std::uint32_t vertex_count,
+                              const Traversal& traversal, std::size_t ids, Pairing& pairing) {
+  const std::uint32_t faces = static_cast<std::uint32_t>(traversal.letters.size());
+  std::vector<std::uint32_t> corners(3 * std::size_t(faces));
+  std::vector<FrontLink> links(ids);
+  Building building;
+  building.corners = corners;
+  building.links = links;
+  RecordingSource source(traversal, building);
+  const Breakage breakage =
+      SpiraleReversi<Pairing, RecordingSource>(building, pairing, source).run();
+  if (breakage.broken != Broken::none) return several_fans();
+
+  resolve_merges(building);
+  std::vector<std::uint32_t>& vertices = source.record.vertices;
+  vertices.resize(building.finished);
+  std::uint32_t id = 0;
+  const auto number = [&](HalfEdge corner) {
+    vertices[building.finished - 1 - links[id++].prev] = org[corner.index()];
+  };
+  for (std::uint32_t i = faces; i-- > 0;) {  // vertices as they were made: by E, L and R
+    const HalfEdge gate = traversal.gates[i];
+    const Clers letter = traversal.letters[i];
+    if (letter == Clers::E || letter == Clers::L) number(gate);
+    if (letter == Clers::E || letter == Clers::R) number(lnext(gate));
+    if (letter == Clers::E) number(lprev(gate));
+  }
+  std::vector<bool> numbered(vertex_count);
+  for (const std::uint32_t v : vertices) {
+    if (numbered[v]) return several_fans();
+    numbered[v] = true;
+  }
+  return std::move(source.record);
+}
+
 template <bool on_full_surface>
 Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorTrace* trace) {
   EncodedConnectivity result;
@@ -505,7 +599,10 @@ Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorT
   using Witness = std::conditional_t<on_full_surface, UnbuildingMirror, NoWitness>;
   using Pairing = std::conditional_t<on_full_surface, BuildingMirror, NoPairing>;
   Witness witness = make_witness<Witness>(surface);
-  Traversal traversal = Edgebreaker<Witness>(surface, witness).run();
+  const bool valences = on_full_surface || level >= 3;
+  Traversal traversal = valences ? Edgebreaker<Witness, true>(surface, witness).run()
+                                 : Edgebreaker<Witness, false>(surface, witness).run();
+  if (traversal.several_fans) return several_fans();
 
   std::size_t ids = 0, merges = 0;
   for (const Clers letter : traversal.letters) {
@@ -514,27 +611,26 @@ Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorT
     ids += made[static_cast<unsigned>(letter)];
     merges += letter == Clers::S;
   }
-  std::vector<std::uint32_t> corners(3 * std::size_t(faces));
-  std::vector<FrontLink> links(ids);
-  Building building;
-  building.corners = corners;
-  building.links = links;
-  RecordingSource source(traversal, building);
-  Pairing pairing = make_pairing<Pairing>(ids);
-  const Breakage breakage =
-      SpiraleReversi<Pairing, RecordingSource>(building, pairing, source).run();
-  if (breakage.broken != Broken::none) return several_fans();
-  if constexpr (on_full_surface) {
-    if (!agree(witness, pairing))
-      return fail(ErrorCode::internal, "the fast operators and the full surface do not agree");
-    if (trace) *trace = std::move(witness.trace);
+  const bool plain = traversal.specials.empty();
+  Record record;
+  if (plain) record = plain_record(traversal);
+  if (!plain || on_full_surface) {
+    Pairing pairing = make_pairing<Pairing>(ids);
+    auto built = built_record(surface.org, surface.vertex_count, traversal, ids, pairing);
+    if (!built) return Failure{built.error()};
+    if constexpr (on_full_surface) {
+      if (!agree(witness, pairing) || (plain && !agree(record, *built)))
+        return fail(ErrorCode::internal, "the fast operators and the full surface do not agree");
+      if (trace) *trace = std::move(witness.trace);
+    }
+    record = std::move(*built);
   }
 
-  const LetterModel chosen = choose_model(source.contexts, level);
-  Told told = tell(chosen, traversal, source, ids);
+  const LetterModel chosen = choose_model(record.contexts, level);
+  Told told = tell(chosen, traversal, record, ids);
   // The most thorough model does not pay for the smallest meshes.
   if (chosen.kind == LetterModel::Kind::mixing) {
-    Told other = tell(choose_model(source.contexts, level - 1), traversal, source, ids);
+    Told other = tell(choose_model(record.contexts, level - 1), traversal, record, ids);
     if (other.bytes.size() < told.bytes.size()) told = std::move(other);
   }
   if (told.steps > allowed_steps(faces))
@@ -542,8 +638,8 @@ Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorT
         ErrorCode::limit,
         "the handles of this mesh are so long that decoding would take more than the format's "
         "1024 steps a face");
-  put_header(result.bytes, faces, building.finished, static_cast<std::uint32_t>(merges),
-             told.model);
+  put_header(result.bytes, faces, static_cast<std::uint32_t>(record.vertices.size()),
+             static_cast<std::uint32_t>(merges), told.model);
   put_bytes(result.bytes, told.bytes);
   result.special_cost = told.special_cost;
   result.counts.components = traversal.starts.size();
@@ -551,24 +647,7 @@ Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorT
   result.counts.coded_holes = told.holes;
   result.counts.boundary_curves = told.holes + traversal.starts.size() - told.closed_components;
 
-  resolve_merges(building);
-  result.vertices.resize(building.finished);
-  std::uint32_t id = 0;
-  const auto number = [&](HalfEdge corner) {
-    result.vertices[building.finished - 1 - links[id++].prev] = surface.org[corner.index()];
-  };
-  for (std::uint32_t i = faces; i-- > 0;) {  // vertices as they were made: by E, L and R
-    const HalfEdge gate = traversal.gates[i];
-    const Clers letter = traversal.letters[i];
-    if (letter == Clers::E || letter == Clers::L) number(gate);
-    if (letter == Clers::E || letter == Clers::R) number(lnext(gate));
-    if (letter == Clers::E) number(lprev(gate));
-  }
-  std::vector<bool> numbered(surface.vertex_count);
-  for (const std::uint32_t v : result.vertices) {
-    if (numbered[v]) return several_fans();
-    numbered[v] = true;
-  }
+  result.vertices = std::move(record.vertices);
   result.gates = std::move(traversal.gates);
   return result;
 }

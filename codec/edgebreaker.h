@@ -36,33 +36,59 @@ struct Traversal {
   std::vector<Clers> letters;     ///< the letter of each triangle
   std::vector<Special> specials;  ///< by index
   std::vector<Start> starts;
+
+  /// Where there are no specials, what a decoder knows when it meets each letter, in its order:
+  /// valence of the pivot << 3 | letter. Valences, up to max_valence, are there if asked for.
+  std::vector<std::uint8_t> contexts;
+  static constexpr std::uint32_t max_valence = 15;
+  /// Where there are no specials: vertices[n] = the vertex that a decoder will number n.
+  std::vector<std::uint32_t> vertices;
+  /// The faces of some vertex form more than one fan: nothing else holds then. False does not say
+  /// the opposite where there are specials.
+  bool several_fans = false;
 };
 
 /// A component with boundary starts at its longest curve, at that curve's smallest half-edge; such
 /// components come first, by decreasing length and then by that half-edge. A closed one starts at
-/// side 0 of its first face. Destroys all faces of the surface. Cost: linear. Precondition: the
-/// arrays are a valid surface. Throws std::bad_alloc only.
-template <class Witness>
+/// side 0 of its first face. Destroys all faces of the surface. Cost: linear, and for every S with
+/// valences the shorter way round its vertex. Precondition: the arrays are a valid surface, but for
+/// vertices of several fans. Throws std::bad_alloc only.
+///
+/// The decoder goes the same way backwards. So the triangles that a vertex has in the part that is
+/// left to unbuild are those that it has when the decoder comes there, and the last vertex to be
+/// met is the first to be finished.
+template <class Witness, bool valences>
 class Edgebreaker {
  public:
   Edgebreaker(SurfaceArrays surface, Witness& witness)
-      : surface_(surface), unbuilding_(surface.twins, witness), visited_(surface.vertex_count) {
+      : surface_(surface), unbuilding_(surface.twins, witness), state_(surface.vertex_count) {
     const std::size_t faces = surface.twins.size() / 3;
     result_.gates.resize(faces);
     result_.letters.resize(faces);
+    result_.contexts.resize(faces);
+    result_.vertices.resize(surface.vertex_count);
+    if constexpr (valences)
+      for (const std::uint32_t v : surface.org) state_[v] += one_triangle;
   }
 
   Traversal run() {
-    for (const HalfEdge start : curves_by_length())
+    const std::vector<HalfEdge> firsts = curves_by_length();
+    if (result_.several_fans) return std::move(result_);
+    for (const HalfEdge start : firsts)
       if (!unbuilding_.is_destroyed(left(start))) component(start, false);
     const std::uint32_t faces = static_cast<std::uint32_t>(surface_.twins.size() / 3);
     for (std::uint32_t f = 0; f < faces && count_ < faces; ++f) {
       if (unbuilding_.is_destroyed(Face(f))) continue;
       const HalfEdge gate = half_edge(Face(f), 0);
       unbuilding_.unglue(gate);
-      visited_[surface_.org[gate.index()]] = visited_[surface_.org[lnext(gate).index()]] = true;
+      if (!visit(org(gate)) || !visit(org(lnext(gate)))) {
+        result_.several_fans = true;
+        return std::move(result_);
+      }
       component(gate, true);
     }
+    if (faces > 0) result_.contexts[0] = static_cast<std::uint8_t>(last_);
+    result_.vertices.resize(numbered_);
     std::sort(result_.specials.begin(), result_.specials.end(),
               [](const auto& a, const auto& b) { return a.index < b.index; });
     return std::move(result_);
@@ -72,7 +98,40 @@ class Edgebreaker {
   struct Aside {
     std::uint32_t index;  ///< of the S
     HalfEdge gate;
+    std::uint32_t triangles;  ///< of the vertex of the S that are on the gate's side
   };
+
+  std::uint32_t org(HalfEdge h) const { return surface_.org[h.index()]; }
+
+  /// False if it was visited before.
+  bool visit(std::uint32_t v) {
+    const bool first = !(state_[v] & visited);
+    state_[v] |= visited;
+    return first;
+  }
+
+  /// The next half-edge of a boundary curve.
+  HalfEdge next_on_boundary(HalfEdge h) const {
+    h = lnext(h);
+    while (!unbuilding_.is_boundary(h)) h = lnext(unbuilding_.sym(h));
+    return h;
+  }
+
+  /// An S will part the triangles that its vertex has left, `all` of them. How many are right?
+  /// Looks from both sides in turn; the answer does not matter where they hang together.
+  ///
+  ///            left part  v  right part
+  ///           . . . . .  / \  . . . . .
+  ///          left_gate  /   \  right
+  std::uint32_t triangles_right(HalfEdge left_gate, HalfEdge right, std::uint32_t all) const {
+    HalfEdge l = left_gate, r = right;
+    for (std::uint32_t n = 1;; ++n) {
+      r = unbuilding_.sym(lprev(r));
+      if (!r || r == right) return n;
+      l = unbuilding_.sym(lnext(l));
+      if (!l) return all - n;
+    }
+  }
 
   /// Smallest half-edge of every boundary curve, longest curve first. Marks the vertices on them.
   std::vector<HalfEdge> curves_by_length() {
@@ -92,10 +151,9 @@ class Edgebreaker {
       HalfEdge h = first;
       do {
         seen[h.index()] = true;
-        visited_[surface_.org[h.index()]] = true;
+        if (!visit(org(h))) result_.several_fans = true;
         ++length;
-        h = lnext(h);
-        while (!unbuilding_.is_boundary(h)) h = lnext(unbuilding_.sym(h));
+        h = next_on_boundary(h);
       } while (h != first);
       curves.push_back({length, first});
     }
@@ -113,16 +171,36 @@ class Edgebreaker {
     result_.starts.push_back({count_, closed});
     Unbuilding<Witness>& surface = unbuilding_;
     const std::uint32_t* const org = surface_.org.data();
-    std::uint32_t count = count_;
+    std::uint32_t* const state = state_.data();
+    std::uint8_t* const contexts_end = result_.contexts.data() + result_.contexts.size();
+    HalfEdge h = gate;
+    do {
+      h = next_on_boundary(h);
+      result_.vertices[numbered_++] = org[h.index()];
+    } while (h != gate);
+    std::uint32_t count = count_, numbered = numbered_;
+    Clers letter = last_;
     for (;;) {
       const HalfEdge right_side = lnext(gate), left_side = lprev(gate);
       const HalfEdge right = surface.sym(right_side), left_gate = surface.sym(left_side);
       const std::uint32_t v = org[left_side.index()];
       result_.gates[count] = gate;
-      Clers letter;
+      // The letter before is the one that a decoder will meet at this gate.
+      std::uint32_t valence = 0;
+      if constexpr (valences) {
+        std::uint32_t& at_x = state[org[gate.index()]];
+        valence = std::min(at_x / one_triangle, Traversal::max_valence);
+        at_x -= one_triangle;
+        state[org[right_side.index()]] -= one_triangle;
+        state[v] -= one_triangle;
+      }
+      if (count > 0)
+        contexts_end[-std::ptrdiff_t(count)] =
+            static_cast<std::uint8_t>(valence << 3 | static_cast<unsigned>(letter));
       HalfEdge next;
-      if (!visited_[v]) {
-        visited_[v] = true;
+      if (!(state[v] & visited)) {
+        state[v] |= visited;
+        result_.vertices[numbered++] = v;
         letter = Clers::C;
         next = right;
       } else if (!right) {
@@ -134,7 +212,14 @@ class Edgebreaker {
       } else {
         letter = Clers::S;
         next = right;
-        aside_.push_back({count, left_gate});
+        std::uint32_t on_left = 0;
+        if constexpr (valences) {
+          const std::uint32_t all = state[v] / one_triangle;
+          const std::uint32_t on_right = triangles_right(left_gate, right, all);
+          state[v] = on_right * one_triangle | visited;
+          on_left = all - on_right;
+        }
+        aside_.push_back({count, left_gate, on_left});
       }
       result_.letters[count] = letter;
       ++count;
@@ -145,12 +230,16 @@ class Edgebreaker {
         for (;;) {
           if (aside_.empty()) {
             count_ = count;
+            numbered_ = numbered;
+            last_ = letter;
             return;
           }
           const Aside a = aside_.back();
           aside_.pop_back();
           if (!surface.is_destroyed(clers::left(a.gate))) {
             next = a.gate;
+            if constexpr (valences)
+              state[org[lnext(next).index()]] = a.triangles * one_triangle | visited;
             break;
           }
           result_.specials.push_back({a.index, a.gate});
@@ -162,9 +251,13 @@ class Edgebreaker {
 
   SurfaceArrays surface_;
   Unbuilding<Witness> unbuilding_;
-  std::vector<std::uint8_t> visited_;  ///< vertices on the boundary of what is left
+  static constexpr std::uint32_t visited = 1, one_triangle = 2;
+  /// Of each vertex: whether it was visited, and the triangles that it has left. A vertex that is
+  /// on several curves has those of the curve that is being unbuilt; the others are put aside.
+  std::vector<std::uint32_t> state_;
   std::vector<Aside> aside_;
-  std::uint32_t count_ = 0;
+  std::uint32_t count_ = 0, numbered_ = 0;
+  Clers last_ = Clers::E;  ///< letter
   Traversal result_;
 };
 

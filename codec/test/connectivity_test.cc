@@ -155,6 +155,7 @@ void check(const Arrays& in, int level) {
                                              level, unbuilt);
   ASSERT_TRUE(full.ok()) << describe(full.error());
   EXPECT_EQ(coded->bytes, full->bytes);
+  EXPECT_EQ(coded->vertices, full->vertices);
   OperatorTrace built;
   {
     const auto header = *read_connectivity_header(coded->bytes, 0);
