@@ -102,7 +102,8 @@ class MeshEncoder {
   Expected<Done> run(unsigned threads, const Progress& progress) {
     progress("connectivity", 0.0);
     set_loose_aside();
-    auto coded = encode_surface(corners_, sizes_, mesh_.vertex_count, options_.level);
+    auto coded = encode_surface(corners_, sizes_, mesh_.vertex_count, options_.level,
+                                !mesh_.attributes.empty() || !loose_.empty());
     if (!coded) return Failure{coded.error()};
     number(*coded);
     const Bytes loose = code_loose(coded->triangles);
@@ -239,9 +240,20 @@ class MeshEncoder {
     return payload;
   }
 
+  /// Whether each triangle has three vertices: what most meshes are, told without a table.
+  static bool no_vertex_twice(std::span<const std::uint32_t> corners) {
+    bool all = true;
+    for (std::size_t h = 0; h < corners.size(); h += 3) {
+      const std::uint32_t a = corners[h], b = corners[h + 1], c = corners[h + 2];
+      all &= a != b && b != c && c != a;
+    }
+    return all;
+  }
+
   /// Parts faces that a surface can have from those that it cannot: fewer than three corners, or a
   /// vertex twice.
   void set_loose_aside() {
+    if (mesh_.triangles_only() && no_vertex_twice(mesh_.corners)) return;
     const std::size_t faces = mesh_.face_count();
     std::vector<std::uint32_t> last_face(mesh_.vertex_count, none);
     begins_ = begins_of(mesh_);

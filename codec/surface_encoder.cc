@@ -93,7 +93,7 @@ std::uint32_t turned_back(std::uint32_t j, std::uint32_t size) {
   return (size - j) % size;
 }
 
-Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level) {
+Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, bool with_triangles) {
   EncodedSurface out;
   const Faces& faces = surface.faces;
   Triangulation fans;
@@ -105,38 +105,43 @@ Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level) {
   auto coded = encode_connectivity(arrays, level);
   if (!coded) return Failure{coded.error()};
 
-  const auto add_face = [&](std::uint32_t gate) {
-    const std::uint32_t f = faces.face(gate), j = gate - faces.begin(f);
-    if (surface.cut) {
-      const std::uint32_t size = faces.size(f), input = surface.cut->faces[f];
-      const std::uint32_t corner = (surface.cut->first_corners[f] + j) % size;
-      out.order.faces.push_back(input);
-      out.order.first_corners.push_back(surface.cut->turned[input] ? turned_back(corner, size)
-                                                                   : corner);
-    } else {
-      out.order.faces.push_back(f);
-      out.order.first_corners.push_back(j);
-    }
-  };
-  out.order.faces.reserve(faces.count());
-  out.order.first_corners.reserve(faces.count());
+  std::vector<std::uint32_t>& order = out.order.faces;
+  std::vector<std::uint32_t>& first_corners = out.order.first_corners;
+  order.resize(faces.count());
+  first_corners.resize(faces.count());
   if (faces.triangles()) {
-    for (const HalfEdge gate : coded->gates) add_face(gate.index());
+    for (std::uint32_t i = 0; i < order.size(); ++i) {
+      order[i] = left(coded->gates[i]).index();
+      first_corners[i] = corner(coded->gates[i]);
+    }
   } else {
     for (std::uint32_t t = 0; t < coded->gates.size(); ++t)
       if (coded->gates[t] != half_edge(Face(t), 0))
         return fail(ErrorCode::internal, "the walk over polygons is not that over their triangles");
-    for (const std::uint32_t gate : fans.gates) add_face(gate);
+    for (std::uint32_t i = 0; i < order.size(); ++i) {
+      order[i] = faces.face(fans.gates[i]);
+      first_corners[i] = fans.gates[i] - faces.begin(order[i]);
+    }
+  }
+  if (surface.cut) {
+    for (std::uint32_t i = 0; i < order.size(); ++i) {
+      const std::uint32_t f = order[i], size = faces.size(f), input = surface.cut->faces[f];
+      const std::uint32_t corner = (surface.cut->first_corners[f] + first_corners[i]) % size;
+      order[i] = input;
+      first_corners[i] = surface.cut->turned[input] ? turned_back(corner, size) : corner;
+    }
   }
   if (surface.cut) put_turned(surface.cut->turned, out);
   if (!faces.triangles()) put_sizes(faces, fans.gates, out);
 
-  std::vector<std::uint32_t> number(surface.vertex_count);
-  for (std::uint32_t i = 0; i < coded->vertices.size(); ++i) number[coded->vertices[i]] = i;
-  out.triangles.reserve(arrays.org.size());
-  for (HalfEdge h : coded->gates)
-    for (unsigned side = 0; side < 3; ++side, h = lnext(h))
-      out.triangles.push_back(number[arrays.org[h.index()]]);
+  if (with_triangles) {
+    std::vector<std::uint32_t> number(surface.vertex_count);
+    for (std::uint32_t i = 0; i < coded->vertices.size(); ++i) number[coded->vertices[i]] = i;
+    out.triangles.reserve(arrays.org.size());
+    for (HalfEdge h : coded->gates)
+      for (unsigned side = 0; side < 3; ++side, h = lnext(h))
+        out.triangles.push_back(number[arrays.org[h.index()]]);
+  }
   if (surface.cut)
     put_stitches(*surface.cut, coded->vertices, out);
   else
@@ -152,7 +157,7 @@ Expected<EncodedSurface> encode_cut(const Faces& faces, std::uint32_t vertex_cou
     CutSurface surface = cut(faces, vertex_count, handles);
     return encode_faces({Faces(surface.corners, surface.sizes), surface.twins,
                          static_cast<std::uint32_t>(surface.point.size()), &surface},
-                        level);
+                        level, true);
   };
   auto coded = encoded(Handles::keep);
   // Where handles would cost a decoder more steps than the format allows, there must be none.
@@ -204,10 +209,11 @@ Bytes bytes_of(const EncodedSurface& s) {
 
 Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
                                         std::span<const std::uint32_t> sizes,
-                                        std::uint32_t vertex_count, int level) {
+                                        std::uint32_t vertex_count, int level,
+                                        bool with_triangles) {
   const Faces faces(corners, sizes);
   if (auto twins = find_twins(faces, vertex_count)) {
-    auto coded = encode_faces({faces, *twins, vertex_count}, level);
+    auto coded = encode_faces({faces, *twins, vertex_count}, level, with_triangles);
     if (coded || (coded.error().code != ErrorCode::nonmanifold_vertex &&
                   coded.error().code != ErrorCode::limit))
       return coded;
@@ -219,7 +225,7 @@ Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
   if (!coded || coded->settled) return coded;
   std::vector<Bytes> history = {bytes_of(*coded)};
   // Circles can be long where all faces look alike, as in ten triangles on the same three vertices.
-  const std::size_t most_rounds = std::max<std::size_t>(16, (1u << 18) / corners.size());
+  const std::size_t most_rounds = std::max<std::size_t>(16, (1u << 15) / corners.size());
   const Bytes* goal = nullptr;
   for (std::size_t round = 1; round < 2 * most_rounds; ++round) {
     if (goal && bytes_of(*coded) == *goal) break;

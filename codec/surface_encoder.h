@@ -24,7 +24,7 @@ struct EncodedSurface {
   bool settled = false;                  ///< what is decoded will be coded to the same bytes
   Permutation order;                     ///< vertices: only those that the surface has
   std::vector<std::uint32_t> triangles;  ///< of the surface, by new vertices of the mesh, all
-                                         ///< running one way
+                                         ///< running one way; left out if nobody wants them
 };
 
 /// Encodes faces, cutting them where they are no oriented manifold. What is coded, once decoded, is
@@ -34,7 +34,7 @@ struct EncodedSurface {
 /// vertex_count. Errors: out_of_memory. Throws std::bad_alloc.
 Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
                                         std::span<const std::uint32_t> sizes,
-                                        std::uint32_t vertex_count, int level);
+                                        std::uint32_t vertex_count, int level, bool with_triangles);
 
 }  // namespace clers
 
