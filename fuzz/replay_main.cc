@@ -20,7 +20,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-constexpr std::size_t largest_mutated = 4096;  // bytes; the number of mutants grows with the size
+constexpr std::size_t largest_mutated = 640;  // bytes; the number of mutants grows with the size
 
 std::size_t runs = 0;
 
