@@ -38,7 +38,7 @@ struct EncodeOptions {
 
   /// A mesh of more faces is coded in pieces of about so many, which decode alone: in less memory,
   /// and by several threads. 0: in pieces of at most
-  /// about default_piece_faces, if it has more than most_faces_whole.
+  /// about default_piece_faces, if it has positions and more than most_faces_whole faces.
   std::uint32_t piece_faces = 0;
   unsigned threads = 1;  ///< over meshes and pieces, or the attributes of a single one
 
