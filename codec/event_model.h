@@ -117,6 +117,14 @@ class NumberModel {
   BitModel top_[33];
 };
 
+/// A number by its distance from another, modulo 2^32; near ones on both sides are cheap.
+template <class Coder>
+std::uint32_t code_from(Coder& coder, NumberModel& model, std::uint32_t from, std::uint32_t value) {
+  const std::uint32_t d = value - from;
+  const std::uint32_t z = model.code(coder, d << 1 ^ (0u - (d >> 31)));
+  return from + (z >> 1 ^ (0u - (z & 1)));
+}
+
 /// One of n equally likely values, n >= 1: the top by a division of the scale, the rest raw.
 /// Decoding may return a value >= n for streams that no encoder makes.
 template <class Coder>

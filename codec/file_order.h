@@ -175,9 +175,7 @@ class FileOrderCoder {
       }
     }
     vertex_before_ = 3;
-    const std::uint32_t d = value - last_;
-    const std::uint32_t z = far_vertex_.code(coder, d << 1 ^ (0u - (d >> 31)));
-    return last_ + (z >> 1 ^ (0u - (z & 1)));
+    return code_from(coder, far_vertex_, last_, value);
   }
 
   /// a + b - c by old numbers: c is the corner behind the side that leads here, in a face before.

@@ -56,10 +56,7 @@ class PlainFaceModel {
         return remember(recent_[i], i);
       }
     before = remembered + 1;
-    const std::uint32_t from = last_[place];
-    const std::uint32_t d = value - from;
-    const std::uint32_t z = far_[place].code(coder, d << 1 ^ (0u - (d >> 31)));
-    const std::uint32_t v = from + (z >> 1 ^ (0u - (z & 1)));
+    const std::uint32_t v = code_from(coder, far_[place], last_[place], value);
     last_[place] = v;
     return remember(v, remembered - 1);
   }

@@ -102,10 +102,7 @@ class Stitching {
         return last_ = candidate_[i];
       }
     }
-    // Zigzag from the class named last, modulo 2^32.
-    const std::uint32_t d = value - last_;
-    const std::uint32_t z = far_.code(coder, d << 1 ^ (0u - (d >> 31)));
-    const std::uint32_t c = last_ + (z >> 1 ^ (0u - (z & 1)));
+    const std::uint32_t c = code_from(coder, far_, last_, value);
     if (c >= done_.size() || !done_[c]) return unknown;
     return last_ = c;
   }
