@@ -11,9 +11,13 @@ namespace {
 
 constexpr std::uint32_t none = HalfEdge::null_index;
 
-/// Matches half-edges while the faces stream by. The edges of a vertex that are known so far, those
-/// to larger vertices, fill one cache line; in the order of most files it is in cache already.
-/// Edges that do not fit there hang in lists, and where lists turn out long (hubs) the matcher
+/// Matches half-edges while the faces stream by.
+///
+/// The edges of a vertex to larger vertices fill one cache line; in the order of most files it is
+/// in cache already. An edge lies where the larger vertex puts it, so it is found, or its place is
+/// found empty, at the first look and without a branch that depends on which: what irregular meshes
+/// would cost here is the branches that nobody can predict. Edges whose place is taken go to the
+/// next one, and where the line is full into a list. Where lists turn out long (hubs) the matcher
 /// gives up, as it does at an edge that is not one of an oriented manifold.
 class StreamingMatcher {
  public:
@@ -21,18 +25,27 @@ class StreamingMatcher {
       : faces_(faces), org_(faces.org), twins_(twins), cells_(vertices) {}
 
   bool run() {
+    if (cells_.size() > max_vertices) return false;
     const std::uint32_t n = static_cast<std::uint32_t>(org_.size());
     patience_ = 64 + 32 * std::uint64_t(n);
     return faces_.triangles() ? match_triangles(n) : match_polygons(faces_.count());
   }
 
  private:
+  /// Twice the larger end of an edge, and whether its half-edge starts at the smaller one.
+  using Key = std::uint32_t;
+  static constexpr Key matched = 1u << 31;  ///< both half-edges were met
+  static constexpr std::size_t max_vertices = 1u << 30;
+
   struct Slot {
-    std::uint32_t end = none;        ///< the larger end of an edge; none: no edge
-    std::uint32_t half_edge = none;  ///< its only half-edge so far; none: it has two
+    Key awaited = none;              ///< of the half-edge to come; none: no edge is here
+    std::uint32_t half_edge = none;  ///< that was met
+    bool is_free_or(Key key) const { return std::min(awaited ^ key, awaited ^ none) == 0; }
+    bool has_edge_of(Key key) const { return ((awaited ^ key) & ~(matched | 1)) == 0; }
   };
   struct alignas(64) Cell {
     Slot slots[8];
+    static std::uint32_t place(Key key) { return (key >> 1) * 0x9e3779b1u >> 29; }
   };
   struct More {
     Slot slot;
@@ -59,63 +72,76 @@ class StreamingMatcher {
   template <bool prefetch>
   bool match_triangles(std::uint32_t n) {
     constexpr std::uint32_t ahead = 3 * 12;  // enough faces to hide what memory takes
+    const std::uint32_t* const org = org_.data();
+    Cell* const cells = cells_.data();
+    HalfEdge* const twins = twins_.data();
     for (std::uint32_t h = 0; h < n; h += 3) {
       if constexpr (prefetch) {
         if (h + ahead < n) {
-          const std::uint32_t *const o = &org_[h + ahead], low = std::min(o[0], o[1]);
-          __builtin_prefetch(&cells_[low], 1);
-          __builtin_prefetch(&cells_[std::min(std::max(o[0], o[1]), o[2])], 1);
-          __builtin_prefetch(&cells_[std::min(low, o[2])], 1);
+          const std::uint32_t *const o = &org[h + ahead], low = std::min(o[0], o[1]);
+          __builtin_prefetch(&cells[low], 1);
+          __builtin_prefetch(&cells[std::min(std::max(o[0], o[1]), o[2])], 1);
+          __builtin_prefetch(&cells[std::min(low, o[2])], 1);
         }
       }
-      const std::uint32_t a = org_[h], b = org_[h + 1], c = org_[h + 2];
-      if (!match(h, a, b) || !match(h + 1, b, c) || !match(h + 2, c, a)) return false;
+      const std::uint32_t a = org[h], b = org[h + 1], c = org[h + 2];
+      if (!match(cells, twins, h, a, b) || !match(cells, twins, h + 1, b, c) ||
+          !match(cells, twins, h + 2, c, a))
+        return false;
     }
     return true;
   }
 
   bool match_polygons(std::uint32_t n) {
+    Cell* const cells = cells_.data();
+    HalfEdge* const twins = twins_.data();
     for (std::uint32_t f = 0; f < n; ++f) {
       const std::uint32_t first = faces_.begin(f), last = faces_.end(f) - 1;
       for (std::uint32_t h = first; h < last; ++h)
-        if (!match(h, org_[h], org_[h + 1])) return false;
-      if (!match(last, org_[last], org_[first])) return false;
+        if (!match(cells, twins, h, org_[h], org_[h + 1])) return false;
+      if (!match(cells, twins, last, org_[last], org_[first])) return false;
     }
     return true;
   }
 
-  bool match(std::uint32_t h, std::uint32_t a, std::uint32_t b) {
-    const std::uint32_t low = std::min(a, b), high = std::max(a, b);
-    for (Slot& slot : cells_[low].slots) {
-      if (slot.end == high) return complete(slot, h, b);
-      if (slot.end == none) {
-        slot = {high, h};
-        return true;
-      }
-    }
-    return match_more(h, low, high, b);
-  }
-
-  /// The second half-edge of an edge; false if it is a third, or runs the same way as the first.
-  bool complete(Slot& slot, std::uint32_t h, std::uint32_t b) {
-    const std::uint32_t e = slot.half_edge;
-    if (e == none || org_[e] != b) return false;
-    twins_[e] = HalfEdge(h);
-    twins_[h] = HalfEdge(e);
-    slot.half_edge = none;
-    return true;
-  }
-
-  [[gnu::noinline]] bool match_more(std::uint32_t h, std::uint32_t low, std::uint32_t high,
+  /// Half-edge h from a to b. The first of an edge waits for the second; false if it is a third, or
+  /// runs the same way as the first.
+  [[gnu::always_inline]] bool match(Cell* cells, HalfEdge* twins, std::uint32_t h, std::uint32_t a,
                                     std::uint32_t b) {
+    const bool up = a < b;
+    const std::uint32_t low = up ? a : b, high = up ? b : a;
+    const Key key = 2 * high + up;
+    Slot* slot = &cells[low].slots[Cell::place(key)];
+    if (!slot->is_free_or(key)) {
+      slot = find(low, key);
+      if (!slot) return false;
+    }
+    const std::uint32_t e = slot->half_edge;  // none: h is the first
+    const std::uint32_t is_first = e == none;
+    slot->awaited = (key ^ 1) | ((is_first - 1) & matched);
+    slot->half_edge = h;
+    twins[h] = HalfEdge(e);
+    twins[std::min(e, h)] = HalfEdge(h | (0 - is_first));
+    return true;
+  }
+
+  /// Where the edge is, or goes, whose first place is taken; null if it may not be.
+  [[gnu::noinline]] Slot* find(std::uint32_t low, Key key) {
+    const auto good = [&](Slot& slot) { return slot.awaited == key ? &slot : nullptr; };
+    std::uint32_t at = Cell::place(key);
+    for (unsigned left = 8; left > 0; --left, at = (at + 1) % 8) {
+      Slot& slot = cells_[low].slots[at];
+      if (slot.awaited == none) return &slot;
+      if (slot.has_edge_of(key)) return good(slot);
+    }
     if (heads_.empty()) heads_.assign(cells_.size(), none);
     for (std::uint32_t i = heads_[low]; i != none; i = more_[i].next) {
-      if (more_[i].slot.end == high) return complete(more_[i].slot, h, b);
-      if (patience_-- == 0) return false;
+      if (more_[i].slot.has_edge_of(key)) return good(more_[i].slot);
+      if (patience_-- == 0) return nullptr;
     }
-    more_.push_back({{high, h}, heads_[low]});
+    more_.push_back({Slot(), heads_[low]});
     heads_[low] = static_cast<std::uint32_t>(more_.size() - 1);
-    return true;
+    return &more_.back().slot;
   }
 
   const Faces& faces_;

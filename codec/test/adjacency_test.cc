@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <random>
+#include <set>
 #include <utility>
 
 #include "corpus/generate.h"
@@ -39,6 +41,39 @@ TEST(Adjacency, EqualsAMapOfDirectedEdges) {
       EXPECT_EQ(*twins, twins_by_map(m));
     }
   }
+}
+
+/// Few vertices, so that edges of three faces, faces turned and hubs of more edges than a cache
+/// line takes are common: refused if and only if a directed edge comes twice.
+TEST(Adjacency, RandomFacesAgainstAMapOfDirectedEdges) {
+  std::mt19937 engine(5);
+  const auto random = [&] { return static_cast<std::uint32_t>(engine()); };
+  int good = 0;
+  for (int round = 0; round < 20000; ++round) {
+    Mesh mesh;
+    mesh.vertex_count = 4 + random() % 20;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    bool twice = false;
+    for (std::uint32_t f = 0; f < 3 * mesh.vertex_count; ++f) {
+      std::uint32_t c[3];
+      for (std::uint32_t& v : c)
+        v = random() % 8 != 0 ? random() % mesh.vertex_count : random() % 2;
+      if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) continue;
+      unsigned there = 0;
+      for (unsigned i = 0; i < 3; ++i) there += edges.count({c[i], c[(i + 1) % 3]}) > 0;
+      if (there > 0 && random() % 24 != 0) continue;  // mostly one that fits
+      twice |= there > 0;
+      for (unsigned i = 0; i < 3; ++i) edges.insert({c[i], c[(i + 1) % 3]});
+      mesh.corners.insert(mesh.corners.end(), c, c + 3);
+    }
+    auto twins = find_twins({mesh.corners, {}}, mesh.vertex_count);
+    ASSERT_EQ(twins.ok(), !twice) << round;
+    if (!twins) continue;
+    ++good;
+    ASSERT_EQ(*twins, twins_by_map(mesh)) << round;
+  }
+  EXPECT_GT(good, 5000);
+  EXPECT_LT(good, 15000);
 }
 
 /// A hub whose edges come in random order defeats the streaming lists; time must stay near linear.
