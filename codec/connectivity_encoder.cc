@@ -370,63 +370,70 @@ class TellingSource : public Answers {
   MixingModel model_;
 };
 
-/// Part of a long string: runs of it from all over, one after the other.
-std::vector<std::uint8_t> sample(const std::vector<std::uint8_t>& contexts) {
-  constexpr std::size_t runs = 8, least = 1u << 15, most = 1u << 17;
-  const std::size_t size = std::clamp(contexts.size() / 4, least, most);
-  if (size >= contexts.size()) return contexts;
-  std::vector<std::uint8_t> part;
-  part.reserve(size);
-  for (std::size_t r = 0; r < runs; ++r) {
-    const auto first = contexts.begin() + static_cast<std::ptrdiff_t>(
-                                              (contexts.size() - size / runs) * r / (runs - 1));
-    part.insert(part.end(), first, first + static_cast<std::ptrdiff_t>(size / runs));
-  }
-  return part;
-}
+/// Letters to judge models by: a few runs from all over, or all of a short string.
+struct Sample {
+  std::vector<std::uint8_t> contexts;
+  /// Letters of each run that are not counted: what a model has to learn matters less in the whole.
+  std::size_t run, uncounted;
 
-/// What these letters cost from `from` on, in 1/256 bits.
-template <class Model>
-std::uint64_t cost_of(std::span<const std::uint8_t> contexts, std::size_t from, Model model) {
-  if (!model.ok()) throw std::bad_alloc();
-  std::uint64_t total = 0;
-  for (std::size_t i = 1; i < contexts.size(); ++i) {
-    const std::uint32_t size =
-        model.encode(static_cast<Clers>(contexts[i] & 7), contexts[i] >> 3).size;
-    if (i >= from) total += cost(size);
+  explicit Sample(const std::vector<std::uint8_t>& all) {
+    constexpr std::size_t runs = 8, least = 6144, most = 1u << 15;
+    run = std::clamp(all.size() / 12, least, most) / runs;
+    uncounted = run / 4;
+    if (runs * run >= all.size()) {
+      contexts = all;
+      run = all.size();
+      uncounted = 0;
+      return;
+    }
+    contexts.reserve(runs * run);
+    for (std::size_t r = 1; r <= runs; ++r) {
+      const auto first =
+          all.begin() + static_cast<std::ptrdiff_t>((all.size() - run) * r / (runs + 1));
+      contexts.insert(contexts.end(), first, first + static_cast<std::ptrdiff_t>(run));
+    }
   }
-  return total;
-}
+
+  /// What they cost, in 1/256 bits.
+  template <class Model>
+  std::uint64_t cost_with(Model model) const {
+    if (!model.ok()) throw std::bad_alloc();
+    std::uint64_t total = 0;
+    for (std::size_t begin = 0; begin < contexts.size(); begin += run)
+      for (std::size_t i = 0; i < run; ++i) {
+        const std::uint8_t c = contexts[begin + i];
+        const std::uint32_t size = model.encode(static_cast<Clers>(c & 7), c >> 3).size;
+        if (i >= uncounted) total += cost(size);
+      }
+    return total;
+  }
+};
 
 /// The model of a level that codes these letters in the fewest bits.
 LetterModel choose_model(const std::vector<std::uint8_t>& contexts, int level) {
   using Kind = LetterModel::Kind;
   if (level < 3) return {Kind::code, 0};
   if (level >= 9) return {Kind::mixing, 0};
-  const std::vector<std::uint8_t> part = sample(contexts);
-  // Where there is more than the sample, what it takes to learn matters less than in it.
-  const std::size_t from = part.size() < contexts.size() ? part.size() / 4 : 1;
-  LetterModel best;
+  const Kind kind = level < 5 ? Kind::single : Kind::pair;
+  LetterModel best{kind, 3};
+  if (contexts.size() < 64) return best;
+  const Sample sample(contexts);
   std::uint64_t least = ~std::uint64_t(0);
   const auto judge = [&](LetterModel m) {
-    const bool quick = m.kind == Kind::quick_pair;
-    const std::uint64_t total = m.kind == Kind::single
-                                    ? cost_of(part, from, SingleModel(m.history))
-                                    : cost_of(part, from, PairModel(m.history, quick));
+    const std::uint64_t total =
+        m.kind == Kind::single ? sample.cost_with(SingleModel(m.history))
+                               : sample.cost_with(PairModel(m.history, m.kind == Kind::quick_pair));
     if (total >= least) return;
     least = total;
     best = m;
   };
-  // Longer histories while they pay, else the shortest.
-  const Kind kind = level < 5 ? Kind::single : Kind::pair;
+  // A longer history while it pays, else the shortest where there is little to learn from.
   judge({kind, 3});
-  if (contexts.size() < 64) return best;
-  for (const unsigned k : {4u, 6u, 8u}) {
-    judge({kind, k});
-    if (best.history != k) break;
-  }
-  if (best.history == 3) judge({kind, 1});
-  if (kind == Kind::pair && best.history > 4) judge({Kind::quick_pair, best.history});
+  judge({kind, 5});
+  if (best.history == 5)
+    judge({kind == Kind::pair ? Kind::quick_pair : kind, 8});
+  else if (kind == Kind::single && contexts.size() < (1u << 16))
+    judge({kind, 1});
   return best;
 }
 
