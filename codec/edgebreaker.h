@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "codec/aside_curves.h"
 #include "codec/clers.h"
 #include "topology/unbuild.h"
 
@@ -23,71 +24,81 @@ struct SurfaceArrays {
 
 /// The order in which a surface was unbuilt.
 struct Traversal {
-  /// An S whose left gate was gone when its turn came: a hole or an end of a handle.
+  /// An S that does not part the surface: a hole, or an end of a handle. What it is called is what
+  /// it does in the decoder's order: the end of a handle that comes later here is the `split`.
   struct Special {
     std::uint32_t index;  ///< of the S in `gates`
     HalfEdge left;        ///< the boundary edge that its left side is glued to
+    SpecialS kind;
+    std::uint32_t curve;  ///< split, join: which; the same for both ends of a handle
+    /// hole, split: edges of the curve. join: edges from the end of `left` to the vertex of the
+    /// split.
+    std::uint32_t distance;
   };
   struct Start {
     std::uint32_t index;  ///< of the component's first triangle in `gates`
     bool closed;          ///< it was opened by ungluing the gate's edge
   };
-  std::vector<HalfEdge> gates;    ///< the gate of each triangle, which is a half-edge of it
-  std::vector<Clers> letters;     ///< the letter of each triangle
+  enum class Trouble : std::uint8_t {
+    none,
+    several_fans,  ///< the faces of some vertex form more than one
+    long_handles,  ///< a decoder may not take so many steps
+  };
+
+  std::vector<HalfEdge> gates;         ///< the gate of each triangle, which is a half-edge of it
+  std::vector<std::uint8_t> contexts;  ///< in the order of decoding: valence of the pivot << 3 |
+                                       ///< letter. Valences, up to max_valence, if asked for
+  static constexpr std::uint32_t max_valence = 15;
   std::vector<Special> specials;  ///< by index
   std::vector<Start> starts;
+  std::vector<std::uint32_t> vertices;  ///< vertices[n] = the vertex that a decoder will number n
+  Trouble trouble = Trouble::none;      ///< with any nothing else holds
 
-  /// Where there are no specials, what a decoder knows when it meets each letter, in its order:
-  /// valence of the pivot << 3 | letter. Valences, up to max_valence, are there if asked for.
-  std::vector<std::uint8_t> contexts;
-  static constexpr std::uint32_t max_valence = 15;
-  /// Where there are no specials: vertices[n] = the vertex that a decoder will number n.
-  std::vector<std::uint32_t> vertices;
-  /// The faces of some vertex form more than one fan: nothing else holds then. False does not say
-  /// the opposite where there are specials.
-  bool several_fans = false;
+  Clers letter(std::uint32_t index) const {
+    return static_cast<Clers>(contexts[contexts.size() - 1 - index] & 7);
+  }
 };
 
 /// A component with boundary starts at its longest curve, at that curve's smallest half-edge; such
 /// components come first, by decreasing length and then by that half-edge. A closed one starts at
-/// side 0 of its first face. Destroys all faces of the surface. Cost: linear, and for every S with
-/// valences the shorter way round its vertex. Precondition: the arrays are a valid surface, but for
-/// vertices of several fans. Throws std::bad_alloc only.
+/// side 0 of its first face. Destroys all faces of the surface. Cost: linear, for every S the
+/// shorter way round its vertex, and for every handle the curve between its ends. Precondition: the
+/// arrays are a valid surface, but for vertices of several fans. Throws std::bad_alloc only.
 ///
 /// The decoder goes the same way backwards. So the triangles that a vertex has in the part that is
 /// left to unbuild are those that it has when the decoder comes there, and the last vertex to be
-/// met is the first to be finished.
+/// met is the first to be finished. As in the decoder, the two parts that an S leaves of a vertex
+/// are two vertices (of one point, paper Appendix A).
 template <class Witness, bool valences>
 class Edgebreaker {
  public:
   Edgebreaker(SurfaceArrays surface, Witness& witness)
-      : surface_(surface), unbuilding_(surface.twins, witness), state_(surface.vertex_count) {
-    const std::size_t faces = surface.twins.size() / 3;
-    result_.gates.resize(faces);
-    result_.letters.resize(faces);
-    result_.contexts.resize(faces);
+      : faces_(static_cast<std::uint32_t>(surface.twins.size() / 3)),
+        points_(surface.org),
+        org_(surface.org.begin(), surface.org.end()),
+        unbuilding_(surface.twins, witness),
+        vertices_(surface.vertex_count),
+        steps_left_(allowed_steps(faces_)) {
+    result_.gates.resize(faces_);
+    result_.contexts.resize(faces_);
     result_.vertices.resize(surface.vertex_count);
     if constexpr (valences)
-      for (const std::uint32_t v : surface.org) state_[v] += one_triangle;
+      for (const std::uint32_t v : org_) vertices_[v].state += one_triangle;
   }
 
   Traversal run() {
-    const std::vector<HalfEdge> firsts = curves_by_length();
-    if (result_.several_fans) return std::move(result_);
-    for (const HalfEdge start : firsts)
-      if (!unbuilding_.is_destroyed(left(start))) component(start, false);
-    const std::uint32_t faces = static_cast<std::uint32_t>(surface_.twins.size() / 3);
-    for (std::uint32_t f = 0; f < faces && count_ < faces; ++f) {
+    find_boundary(unbuilding_.twins());
+    for (const HalfEdge start : firsts_)
+      if (fine() && !unbuilding_.is_destroyed(left(start))) component(start, false);
+    for (std::uint32_t f = 0; f < faces_ && count_ < faces_ && fine(); ++f) {
       if (unbuilding_.is_destroyed(Face(f))) continue;
       const HalfEdge gate = half_edge(Face(f), 0);
       unbuilding_.unglue(gate);
-      if (!visit(org(gate)) || !visit(org(lnext(gate)))) {
-        result_.several_fans = true;
-        return std::move(result_);
-      }
-      component(gate, true);
+      visit(org(gate), visited);
+      visit(org(lnext(gate)), visited);
+      if (fine()) component(gate, true);
     }
-    if (faces > 0) result_.contexts[0] = static_cast<std::uint8_t>(last_);
+    if (faces_ > 0) result_.contexts[0] = static_cast<std::uint8_t>(last_);
     result_.vertices.resize(numbered_);
     std::sort(result_.specials.begin(), result_.specials.end(),
               [](const auto& a, const auto& b) { return a.index < b.index; });
@@ -95,19 +106,22 @@ class Edgebreaker {
   }
 
  private:
-  struct Aside {
-    std::uint32_t index;  ///< of the S
-    HalfEdge gate;
-    std::uint32_t triangles;  ///< of the vertex of the S that are on the gate's side
+  /// A vertex of the surface, or a part of one that an S has cut.
+  struct VertexState {
+    std::uint32_t state = 0;  ///< visited, on_hole; and how many triangles are left of it
+    std::uint32_t label = 0;  ///< where on its curve it is: see aside_curves.h
   };
+  static constexpr std::uint32_t visited = 1, on_hole = 2, one_triangle = 4;
 
-  std::uint32_t org(HalfEdge h) const { return surface_.org[h.index()]; }
+  std::uint32_t org(HalfEdge h) const { return org_[h.index()]; }
 
-  /// False if it was visited before.
-  bool visit(std::uint32_t v) {
-    const bool first = !(state_[v] & visited);
-    state_[v] |= visited;
-    return first;
+  bool fine() const { return result_.trouble == Traversal::Trouble::none; }
+  void several_fans() { result_.trouble = Traversal::Trouble::several_fans; }
+
+  /// A vertex comes onto a boundary curve for the first time.
+  void visit(std::uint32_t v, std::uint32_t as) {
+    if (vertices_[v].state & visited) several_fans();
+    vertices_[v].state |= as;
   }
 
   /// The next half-edge of a boundary curve.
@@ -117,41 +131,25 @@ class Edgebreaker {
     return h;
   }
 
-  /// An S will part the triangles that its vertex has left, `all` of them. How many are right?
-  /// Looks from both sides in turn; the answer does not matter where they hang together.
-  ///
-  ///            left part  v  right part
-  ///           . . . . .  / \  . . . . .
-  ///          left_gate  /   \  right
-  std::uint32_t triangles_right(HalfEdge left_gate, HalfEdge right, std::uint32_t all) const {
-    HalfEdge l = left_gate, r = right;
-    for (std::uint32_t n = 1;; ++n) {
-      r = unbuilding_.sym(lprev(r));
-      if (!r || r == right) return n;
-      l = unbuilding_.sym(lnext(l));
-      if (!l) return all - n;
-    }
-  }
-
-  /// Smallest half-edge of every boundary curve, longest curve first. Marks the vertices on them.
-  std::vector<HalfEdge> curves_by_length() {
+  /// Puts the smallest half-edge of every boundary curve into `firsts_`, longest curve first. Marks
+  /// the vertices on them.
+  void find_boundary(std::span<const HalfEdge> twins) {
     struct BoundaryCurve {
       std::uint64_t length;
       HalfEdge first;
     };
     std::vector<BoundaryCurve> curves;
-    const std::uint32_t n = static_cast<std::uint32_t>(surface_.twins.size());
     std::vector<bool> seen;
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const HalfEdge first(i);
-      if (!unbuilding_.is_boundary(first)) continue;
-      if (seen.empty()) seen.resize(n);
-      if (seen[i]) continue;
+    for (auto at = twins.begin(); (at = std::find(at, twins.end(), HalfEdge())) != twins.end();
+         ++at) {
+      const HalfEdge first(static_cast<std::uint32_t>(at - twins.begin()));
+      if (seen.empty()) seen.resize(twins.size());
+      if (seen[first.index()]) continue;
       std::uint64_t length = 0;
       HalfEdge h = first;
       do {
         seen[h.index()] = true;
-        if (!visit(org(h))) result_.several_fans = true;
+        visit(org(h), visited | on_hole);
         ++length;
         h = next_on_boundary(h);
       } while (h != first);
@@ -160,103 +158,192 @@ class Edgebreaker {
     std::sort(curves.begin(), curves.end(), [](const BoundaryCurve& a, const BoundaryCurve& b) {
       return a.length != b.length ? a.length > b.length : a.first < b.first;
     });
-    std::vector<HalfEdge> firsts;
-    firsts.reserve(curves.size());
-    for (const BoundaryCurve& c : curves) firsts.push_back(c.first);
-    return firsts;
+    firsts_.reserve(curves.size());
+    for (const BoundaryCurve& c : curves) firsts_.push_back(c.first);
   }
 
   /// Unbuilds the component of a boundary edge.
   void component(HalfEdge gate, bool closed) {
     result_.starts.push_back({count_, closed});
     Unbuilding<Witness>& surface = unbuilding_;
-    const std::uint32_t* const org = surface_.org.data();
-    std::uint32_t* const state = state_.data();
-    std::uint8_t* const contexts_end = result_.contexts.data() + result_.contexts.size();
     HalfEdge h = gate;
     do {
       h = next_on_boundary(h);
-      result_.vertices[numbered_++] = org[h.index()];
+      vertices_[org(h)].state &= ~on_hole;
+      vertices_[org(h)].label = ++labels_;
+      result_.vertices[numbered_++] = org(h);
     } while (h != gate);
-    std::uint32_t count = count_, numbered = numbered_;
+    const std::uint32_t inside = numbered_;
+
+    const std::uint32_t* const org = org_.data();
+    VertexState* vertices = vertices_.data();
+    HalfEdge* const gates = result_.gates.data();
+    std::uint32_t* const numbers = result_.vertices.data();
+    std::uint8_t* const contexts_end = result_.contexts.data() + result_.contexts.size();
+    std::uint32_t count = count_, numbered = numbered_, labels = labels_;
     Clers letter = last_;
     for (;;) {
       const HalfEdge right_side = lnext(gate), left_side = lprev(gate);
       const HalfEdge right = surface.sym(right_side), left_gate = surface.sym(left_side);
       const std::uint32_t v = org[left_side.index()];
-      result_.gates[count] = gate;
+      gates[count] = gate;
       // The letter before is the one that a decoder will meet at this gate.
       std::uint32_t valence = 0;
       if constexpr (valences) {
-        std::uint32_t& at_x = state[org[gate.index()]];
+        std::uint32_t& at_x = vertices[org[gate.index()]].state;
         valence = std::min(at_x / one_triangle, Traversal::max_valence);
         at_x -= one_triangle;
-        state[org[right_side.index()]] -= one_triangle;
-        state[v] -= one_triangle;
+        vertices[org[right_side.index()]].state -= one_triangle;
+        vertices[v].state -= one_triangle;
       }
       if (count > 0)
         contexts_end[-std::ptrdiff_t(count)] =
             static_cast<std::uint8_t>(valence << 3 | static_cast<unsigned>(letter));
-      HalfEdge next;
-      if (!(state[v] & visited)) {
-        state[v] |= visited;
-        result_.vertices[numbered++] = v;
+      HalfEdge next = right;
+      if (!(vertices[v].state & visited)) {
+        vertices[v].state |= visited;
+        vertices[v].label = ++labels;
+        numbers[numbered++] = v;
         letter = Clers::C;
-        next = right;
       } else if (!right) {
         letter = left_gate ? Clers::R : Clers::E;
         next = left_gate;
       } else if (!left_gate) {
         letter = Clers::L;
-        next = right;
       } else {
         letter = Clers::S;
-        next = right;
-        std::uint32_t on_left = 0;
-        if constexpr (valences) {
-          const std::uint32_t all = state[v] / one_triangle;
-          const std::uint32_t on_right = triangles_right(left_gate, right, all);
-          state[v] = on_right * one_triangle | visited;
-          on_left = all - on_right;
-        }
-        aside_.push_back({count, left_gate, on_left});
+        labels_ = labels;
+        part(gate, left_gate, right, count);
+        if (!fine()) return;
+        labels = labels_;
+        vertices = vertices_.data();
       }
-      result_.letters[count] = letter;
       ++count;
       surface.detach(gate);
       if (letter == Clers::E) {
-        // The gate put aside last is what is left to do, unless the walk came to its triangle
-        // another way round: then the S did not disconnect.
-        for (;;) {
+        // What is left to do is the curve put aside last, unless it came to this one.
+        do {
           if (aside_.empty()) {
             count_ = count;
             numbered_ = numbered;
+            labels_ = labels;
             last_ = letter;
+            number_holes(inside);
             return;
           }
-          const Aside a = aside_.back();
-          aside_.pop_back();
-          if (!surface.is_destroyed(clers::left(a.gate))) {
-            next = a.gate;
-            if constexpr (valences)
-              state[org[lnext(next).index()]] = a.triangles * one_triangle | visited;
-            break;
-          }
-          result_.specials.push_back({a.index, a.gate});
-        }
+          const AsideCurves::Curve curve = aside_.take();
+          next = curve.joined ? HalfEdge() : curve.gate;
+        } while (!next);
       }
       gate = next;
     }
   }
 
-  SurfaceArrays surface_;
+  /// An S parts the triangles that its vertex v has left, and one part becomes a vertex of its own.
+  ///
+  ///            left part  v  right part
+  ///           . . . . .  / \  . . . . .
+  ///          left_gate  /   \  right
+  [[gnu::noinline]] void part(HalfEdge gate, HalfEdge left_gate, HalfEdge right,
+                              std::uint32_t index) {
+    const std::uint32_t v = org(right);
+    // The part where the boundary shows first, looking from both sides in turn, is the smaller one.
+    HalfEdge r = right, l = left_gate, next;
+    std::uint32_t n = 1;
+    bool right_is_smaller = true;
+    for (;; ++n) {
+      next = unbuilding_.sym(lprev(r));
+      if (!next) break;
+      if (next == lprev(gate)) return several_fans();  // no boundary: v is on one elsewhere
+      r = next;
+      next = unbuilding_.sym(lnext(l));
+      if (!next) {
+        right_is_smaller = false;
+        break;
+      }
+      l = next;
+    }
+    const HalfEdge from_v = right_is_smaller ? next_on_boundary(lprev(r)) : lnext(l);
+
+    const std::uint32_t w = static_cast<std::uint32_t>(vertices_.size());
+    const std::uint32_t triangles = valences ? n * one_triangle : 0;
+    vertices_.push_back({triangles | visited, 0});
+    vertices_[v].state -= triangles;
+    for (HalfEdge h = right_is_smaller ? right : lnext(left_gate); h;
+         h = right_is_smaller ? unbuilding_.sym(lprev(h)) : around_left(h))
+      org_[h.index()] = w;
+    const std::uint32_t at_left = right_is_smaller ? v : w, at_right = right_is_smaller ? w : v;
+    const std::uint32_t label = vertices_[v].label;
+
+    if (vertices_[v].state & on_hole) {
+      vertices_[v].state &= ~on_hole;
+      const std::uint32_t length = join(from_v, nullptr);
+      result_.specials.push_back({index, left_gate, SpecialS::hole, 0, length});
+    } else if (const std::size_t other = aside_.find(label); other != AsideCurves::none) {
+      AsideCurves::Curve& curve = aside_[other];
+      const std::uint32_t length = join(from_v, &curve);
+      result_.specials.push_back({index, left_gate, SpecialS::split, curve.index, length});
+    } else {
+      vertices_[at_left].label = label;
+      aside_.put(index, left_gate, label, vertices_[org(gate)].label);
+    }
+    vertices_[at_right].label = ++labels_;
+  }
+
+  /// From a half-edge out of v to the one of the triangle before.
+  HalfEdge around_left(HalfEdge h) const {
+    const HalfEdge s = unbuilding_.sym(h);
+    return s ? lnext(s) : HalfEdge();
+  }
+
+  /// The curve that starts with half-edge `from` becomes part of the gate's: a hole, or one that
+  /// was put aside. Returns its length.
+  std::uint32_t join(HalfEdge from, AsideCurves::Curve* aside) {
+    std::uint32_t length = 0, end_of_gate = 0;
+    HalfEdge h = from;
+    do {
+      ++length;
+      if (aside && h == aside->gate) end_of_gate = length;
+      VertexState& at = vertices_[org(h)];
+      at.state &= ~on_hole;
+      at.label = ++labels_;
+      h = next_on_boundary(h);
+      if (!aside) hole_vertices_.push_back(points_[h.index()]);
+    } while (h != from);
+    if (!aside) return length;
+    aside->joined = true;
+    result_.specials.push_back({aside->index, aside->gate, SpecialS::join, aside->index,
+                                end_of_gate == length ? 0 : length - end_of_gate});
+    if (end_of_gate == 0) several_fans();
+    if (length > steps_left_ || labels_ > max_labels)
+      result_.trouble = Traversal::Trouble::long_handles;
+    steps_left_ -= std::min<std::uint64_t>(length, steps_left_);
+    return length;
+  }
+
+  /// A decoder finishes holes after all that is inside.
+  void number_holes(std::uint32_t inside) {
+    if (hole_vertices_.empty()) return;
+    const auto begin = result_.vertices.begin() + inside,
+               end = result_.vertices.begin() + numbered_;
+    std::copy_backward(begin, end, end + static_cast<std::ptrdiff_t>(hole_vertices_.size()));
+    std::copy(hole_vertices_.begin(), hole_vertices_.end(), begin);
+    numbered_ += static_cast<std::uint32_t>(hole_vertices_.size());
+    hole_vertices_.clear();
+  }
+
+  static constexpr std::uint32_t max_labels = 1u << 31;
+
+  std::uint32_t faces_;
+  std::span<const std::uint32_t> points_;  ///< origins as they were
+  std::vector<std::uint32_t> org_;
   Unbuilding<Witness> unbuilding_;
-  static constexpr std::uint32_t visited = 1, one_triangle = 2;
-  /// Of each vertex: whether it was visited, and the triangles that it has left. A vertex that is
-  /// on several curves has those of the curve that is being unbuilt; the others are put aside.
-  std::vector<std::uint32_t> state_;
-  std::vector<Aside> aside_;
-  std::uint32_t count_ = 0, numbered_ = 0;
+  std::vector<VertexState> vertices_;
+  std::vector<HalfEdge> firsts_;
+  AsideCurves aside_;
+  std::vector<std::uint32_t> hole_vertices_;  ///< of this component, in the order of their numbers
+  std::uint64_t steps_left_;
+  std::uint32_t labels_ = 0, count_ = 0, numbered_ = 0;
   Clers last_ = Clers::E;  ///< letter
   Traversal result_;
 };

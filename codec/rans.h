@@ -5,6 +5,7 @@
 #ifndef CLERS_CODEC_RANS_H
 #define CLERS_CODEC_RANS_H
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -22,6 +23,14 @@ struct Interval {
   std::uint16_t start;
   std::uint16_t size;
 };
+
+/// What an interval costs, log2(scale / size), in 1/256 bits. A linear mantissa is near enough to
+/// compare models by.
+inline std::uint32_t cost(Interval interval) {
+  const unsigned exponent = static_cast<unsigned>(std::bit_width(interval.size)) - 1;
+  const std::uint32_t mantissa = (std::uint32_t(interval.size) << (15 - exponent)) - scale;
+  return (15 - exponent) * 256 - (mantissa >> 7);
+}
 
 /// Collects intervals in the order in which they will be decoded.
 class Encoder {

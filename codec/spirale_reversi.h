@@ -52,12 +52,6 @@ struct Breakage {
 /// Valence in links of vertices that were merged away, for who must tell them from others.
 inline constexpr std::uint32_t merged_away = 0xffffffffu;
 
-/// Steps along boundary curves that special S may take in all, so that no stream costs more than a
-/// constant times its faces.
-constexpr std::uint64_t allowed_steps(std::uint64_t faces) {
-  return 1024 + 1024 * faces;
-}
-
 /// Runs the string that `source` gives. A Source answers the questions of codec/format.md:
 /// StreamSource from a stream, RecordingSource from what the encoder knows. One that `resolves`
 /// calls every curve that is split off a `split`; those that no S joins turn out to be holes.

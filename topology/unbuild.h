@@ -26,6 +26,7 @@ class Unbuilding {
  public:
   Unbuilding(std::span<HalfEdge> twins, Witness& witness) : twins_(twins), witness_(&witness) {}
 
+  std::span<const HalfEdge> twins() const { return twins_; }
   HalfEdge sym(HalfEdge h) const { return twins_[h.index()]; }
   bool is_boundary(HalfEdge h) const { return !sym(h); }
 

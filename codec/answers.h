@@ -1,0 +1,135 @@
+// Answers to what a decoder asks besides letters, told to a stream.
+#ifndef CLERS_CODEC_ANSWERS_H
+#define CLERS_CODEC_ANSWERS_H
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "codec/event_model.h"
+#include "codec/rans.h"
+#include "codec/record.h"
+
+namespace clers {
+
+/// The answers that a decoder will need, in the order in which it asks, told to a stream. A curve
+/// that was split off and never joined is a hole.
+class Answers {
+  const Event& event() const { return events_[next_]; }
+
+  template <class Code>
+  auto count_special(std::size_t first, Code code) {
+    const auto value = code();
+    for (std::size_t k = first; k < out_.intervals().size(); ++k)
+      special_cost += rans::cost(out_.intervals()[k]);
+    return value;
+  }
+
+ public:
+  static constexpr bool resolves = false;
+
+  Answers(const std::vector<Event>& events, std::uint32_t curves, rans::Encoder& out)
+      : events_(events), joined_(curves), coder_(out), out_(out) {
+    for (const Event& e : events)
+      if (e.kind == Event::Kind::join) joined_[e.curve] = true;
+  }
+
+  /// The next letter is about to be told.
+  void letter_begins() { letter_ = out_.intervals().size(); }
+
+  /// All that come after a symbol.
+  void write_after(std::uint32_t symbol) {
+    while (next_symbol() == symbol) {
+      switch (event().kind) {
+        case Event::Kind::new_component: new_component(event().two_edges); break;
+        case Event::Kind::closed: closed(); break;
+        case Event::Kind::special: special(); break;
+        case Event::Kind::split:
+        case Event::Kind::join:
+          switch (kind()) {
+            case SpecialS::hole: hole_length(); break;
+            case SpecialS::split: split_distance(event().length); break;
+            case SpecialS::join:
+              join_curve(static_cast<std::uint32_t>(waiting_.size()));
+              join_position(event().length);
+              break;
+          }
+          break;
+      }
+    }
+  }
+
+  std::uint32_t next_symbol() const {
+    return next_ < events_.size() ? event().symbol : 0xffffffffu;
+  }
+
+  bool new_component(bool two_edges) {
+    return model_.new_component(coder_, two_edges, events_[next_++].value);
+  }
+  bool closed() {
+    const bool value = model_.closed(coder_, events_[next_++].value);
+    closed_components += value;
+    return value;
+  }
+  void component_ended() {}
+  bool special() { return model_.special(coder_, events_[next_++].value); }
+  SpecialS kind() {
+    return count_special(letter_, [&] {
+      const SpecialS kind = event().kind == Event::Kind::join ? SpecialS::join
+                            : joined_[event().curve]          ? SpecialS::split
+                                                              : SpecialS::hole;
+      return model_.kind(coder_, !waiting_.empty(), kind);
+    });
+  }
+  std::uint64_t hole_length() {
+    return count_special(out_.intervals().size(), [&] {
+      const Event& e = events_[next_++];
+      ++holes;
+      steps += e.distance;
+      return model_.hole_length(coder_, e.distance);
+    });
+  }
+  std::uint64_t split_distance(std::uint64_t n) {
+    return count_special(out_.intervals().size(), [&] {
+      const Event& e = events_[next_++];
+      waiting_.push_back(e.curve);
+      steps += n + e.distance;
+      return model_.split_distance(coder_, n, e.distance);
+    });
+  }
+  std::uint32_t join_curve(std::uint32_t waiting) {
+    return count_special(out_.intervals().size(), [&] {
+      std::size_t w = waiting_.size() - 1;
+      while (waiting_[w] != event().curve) --w;
+      const std::size_t recency = waiting_.size() - 1 - w;
+      waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(w));
+      return model_.join_curve(coder_, waiting, static_cast<std::uint32_t>(recency));
+    });
+  }
+  std::uint32_t join_position(std::uint32_t n) {
+    return count_special(out_.intervals().size(), [&] {
+      const Event& e = events_[next_++];
+      ++handles;
+      steps += 2 * std::uint64_t(n);
+      return model_.join_position(coder_, n, e.distance);
+    });
+  }
+
+  std::uint64_t handles = 0, holes = 0, closed_components = 0;
+  std::uint64_t steps = 0;         ///< that decoding takes along boundary curves
+  std::uint64_t special_cost = 0;  ///< of holes and handles with their letters, in 1/256 bits
+
+ private:
+  const std::vector<Event>& events_;
+  std::vector<bool> joined_;
+  std::vector<std::uint32_t> waiting_;
+  EncodeTo coder_;
+  rans::Encoder& out_;
+  EventModel model_;
+  std::size_t next_ = 0;
+  std::size_t letter_ = 0;  ///< where the last letter begins
+};
+
+}  // namespace clers
+
+#endif

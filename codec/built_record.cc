@@ -1,0 +1,185 @@
+#include "codec/built_record.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "codec/spirale_reversi.h"
+
+namespace clers {
+namespace {
+
+/// Answers the driver's questions from a traversal, and writes down what a decoder will have to be
+/// told in which context.
+class RecordingSource {
+ public:
+  static constexpr bool resolves = true;
+
+  RecordingSource(const Traversal& traversal, const Building& building)
+      : traversal_(traversal),
+        building_(building),
+        faces_(static_cast<std::uint32_t>(traversal.gates.size())),
+        index_(faces_) {
+    record.contexts.resize(faces_);
+    next_start_ = traversal.starts.size();
+    next_special_ = traversal.specials.size();
+    if (!traversal.specials.empty()) {
+      index_of_face_.resize(faces_);
+      for (std::uint32_t i = 0; i < faces_; ++i)
+        index_of_face_[left(traversal.gates[i]).index()] = i;
+      curve_of_.resize(building.links.size(), no_curve);
+    }
+  }
+
+  void first() { step(0); }
+  template <class Front, class Gate, class Then>
+  [[gnu::always_inline]] auto symbol(const Front&, const Gate& gate, std::size_t, Then then) {
+    step(gate.kx);
+    return with_letter(traversal_.letter(index_), then);
+  }
+
+  bool new_component(bool two_edges) {
+    // Letters come last to first: a component ends where the one decoded before it started.
+    const bool value = traversal_.starts[next_start_ - 1].index == index_ + 1;
+    record.events.push_back({done(), Event::Kind::new_component, value, two_edges});
+    return value;
+  }
+  bool closed() {
+    const bool value = traversal_.starts[next_start_ - 1].closed;
+    record.events.push_back({done(), Event::Kind::closed, value});
+    return value;
+  }
+  void component_ended() {
+    --next_start_;
+    waiting_.clear();
+  }
+
+  bool special() {
+    const bool value = is_special();
+    record.events.push_back({done(), Event::Kind::special, value});
+    return value;
+  }
+
+  /// Finds the edge that the S glues to: on the gate's own curve, or on one split off before.
+  template <class Front, class Gate>
+  SpecialS kind(const Front& front, const Gate& gate, std::span<const std::uint32_t> waiting) {
+    const Traversal::Special s = traversal_.specials[--next_special_];
+    const FrontLink* links = building_.links.data();
+    const std::uint32_t q = vertex_at(s.left);
+    const std::uint32_t curve = curve_of_[q];
+    for (std::size_t w = waiting_.size(); w-- > 0;) {
+      if (waiting_[w] != curve) continue;
+      recency_ = static_cast<std::uint32_t>(waiting_.size() - 1 - w);
+      waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(w));
+      position_ = 0;
+      for (std::uint32_t v = waiting[w]; v != q; v = links[v].prev) ++position_;
+      record.events.push_back({done(), Event::Kind::join, false, false, curve, position_, 0});
+      return SpecialS::join;
+    }
+    const std::uint32_t number = record.curves++;
+    distance_ = 0;
+    for (std::uint32_t v = gate.x; v != q || distance_ == 0;) {
+      // Not there: the vertex was marked from another fan of its corners.
+      if (v == gate.y) return SpecialS::hole;
+      v = front.prev(v);
+      curve_of_[v] = number;
+      ++distance_;
+    }
+    waiting_.push_back(number);
+    record.events.push_back({done(), Event::Kind::split, false, false, number, distance_, 0});
+    return SpecialS::split;
+  }
+  /// Holes show at the component's end. Asked for one before, no length is right.
+  std::uint64_t hole_length() { return 0; }
+  std::uint64_t split_distance(std::uint64_t n) {
+    record.events.back().length = static_cast<std::uint32_t>(n);
+    return distance_;
+  }
+  std::uint32_t join_curve(std::uint32_t) { return recency_; }
+  std::uint32_t join_position(std::uint32_t n) {
+    record.events.back().length = n;
+    return position_;
+  }
+
+  Record record;
+
+ private:
+  static constexpr std::uint32_t no_curve = 0xffffffffu;
+
+  void step(std::uint32_t kx) {
+    --index_;
+    record.contexts[done()] =
+        static_cast<std::uint8_t>(std::min(kx, Traversal::max_valence) << 3 |
+                                  static_cast<unsigned>(traversal_.letter(index_)));
+  }
+  std::uint32_t done() const { return faces_ - 1 - index_; }
+
+  bool is_special() const {
+    return next_special_ > 0 && traversal_.specials[next_special_ - 1].index == index_;
+  }
+
+  /// The vertex of the construction at the end of a half-edge of the input.
+  std::uint32_t vertex_at(HalfEdge h) const {
+    const std::uint32_t i = index_of_face_[left(h).index()];
+    const unsigned side = (corner(h) + 1 + 3 - corner(traversal_.gates[i])) % 3;
+    std::uint32_t v = building_.corners[3 * std::size_t(i) + side];
+    while (building_.links[v].valence == merged_away) v = building_.links[v].prev;
+    return v;
+  }
+
+  const Traversal& traversal_;
+  const Building& building_;
+  std::uint32_t faces_;
+  std::uint32_t index_;  ///< in the traversal, of the current letter
+  std::size_t next_start_, next_special_;
+  std::vector<std::uint32_t> index_of_face_;
+  std::vector<std::uint32_t> curve_of_;  ///< last curve that a vertex was split off with
+  std::vector<std::uint32_t>
+      waiting_;  ///< numbers of the curves that are split off, as in the driver
+  std::uint32_t recency_ = 0, position_ = 0, distance_ = 0;
+};
+
+}  // namespace
+
+std::optional<Record> built_record(std::span<const std::uint32_t> org, std::uint32_t vertex_count,
+                                   const Traversal& traversal, std::size_t ids,
+                                   BuildingMirror& pairing) {
+  const std::uint32_t faces = static_cast<std::uint32_t>(traversal.gates.size());
+  std::vector<std::uint32_t> corners(3 * std::size_t(faces));
+  std::vector<FrontLink> links(ids);
+  Building building;
+  building.corners = corners;
+  building.links = links;
+  RecordingSource source(traversal, building);
+  const Breakage breakage =
+      SpiraleReversi<BuildingMirror, RecordingSource>(building, pairing, source).run();
+  if (breakage.broken != Broken::none) return std::nullopt;
+
+  resolve_merges(building);
+  std::vector<std::uint32_t>& vertices = source.record.vertices;
+  vertices.resize(building.finished);
+  std::uint32_t id = 0;
+  const auto number = [&](HalfEdge corner) {
+    vertices[building.finished - 1 - links[id++].prev] = org[corner.index()];
+  };
+  for (std::uint32_t i = faces; i-- > 0;) {  // vertices as they were made: by E, L and R
+    const HalfEdge gate = traversal.gates[i];
+    const Clers letter = traversal.letter(i);
+    if (letter == Clers::E || letter == Clers::L) number(gate);
+    if (letter == Clers::E || letter == Clers::R) number(lnext(gate));
+    if (letter == Clers::E) number(lprev(gate));
+  }
+  std::vector<bool> numbered(vertex_count);
+  for (const std::uint32_t v : vertices) {
+    if (numbered[v]) return std::nullopt;
+    numbered[v] = true;
+  }
+  // Only now is it known which curves no S joined, and lengths are told of the others.
+  std::vector<bool> joined(source.record.curves);
+  for (const Event& e : source.record.events)
+    if (e.kind == Event::Kind::join) joined[e.curve] = true;
+  for (Event& e : source.record.events)
+    if (e.kind == Event::Kind::split && !joined[e.curve]) e.length = 0;
+  return std::move(source.record);
+}
+
+}  // namespace clers

@@ -1,0 +1,112 @@
+#include "codec/record.h"
+
+#include <utility>
+
+namespace clers {
+namespace {
+
+/// Goes through the letters as a decoder will. Of the surface it follows but the lengths of its
+/// boundary curves.
+class Recording {
+ public:
+  explicit Recording(Traversal& traversal)
+      : traversal_(traversal),
+        next_start_(traversal.starts.size()),
+        next_special_(traversal.specials.size()) {}
+
+  Record run() {
+    const std::vector<std::uint8_t>& contexts = traversal_.contexts;
+    const std::uint32_t faces = static_cast<std::uint32_t>(contexts.size());
+    for (std::uint32_t i = 1; i < faces; ++i) {
+      const unsigned letter = contexts[i] & 7;
+      if (letter < static_cast<unsigned>(Clers::S)) {
+        // C closes a corner, R and L add an edge; told without a branch, which would be
+        // mispredicted.
+        length_ += letter == static_cast<unsigned>(Clers::C) ? ~0u : 1u;
+        continue;
+      }
+      const std::uint32_t index = faces - 1 - i;
+      if (letter == static_cast<unsigned>(Clers::E))
+        begin_curve(i, index);
+      else if (next_special_ > 0 && traversal_.specials[next_special_ - 1].index == index)
+        special(i);
+      else
+        join_to_aside(i);
+    }
+    if (faces > 0) end_component(faces - 1);
+    record_.contexts = std::move(traversal_.contexts);
+    record_.vertices = std::move(traversal_.vertices);
+    return std::move(record_);
+  }
+
+ private:
+  void begin_curve(std::uint32_t symbol, std::uint32_t index) {
+    bool ends = false;
+    if (aside_.empty()) {
+      // Letters come last to first: a component ends where the one decoded before it started.
+      ends = traversal_.starts[next_start_ - 1].index == index + 1;
+      record_.events.push_back({symbol, Event::Kind::new_component, ends, length_ == 2});
+    }
+    if (ends)
+      end_component(symbol);
+    else
+      aside_.push_back(length_);
+    length_ = 3;
+  }
+
+  void end_component(std::uint32_t symbol) {
+    --next_start_;
+    if (length_ == 2)
+      record_.events.push_back(
+          {symbol, Event::Kind::closed, traversal_.starts[next_start_].closed});
+  }
+
+  void join_to_aside(std::uint32_t symbol) {
+    record_.events.push_back({symbol, Event::Kind::special, false});
+    length_ += aside_.back() - 1;
+    aside_.pop_back();
+  }
+
+  void special(std::uint32_t symbol) {
+    if (!aside_.empty()) record_.events.push_back({symbol, Event::Kind::special, true});
+    const Traversal::Special& s = traversal_.specials[--next_special_];
+    Event e{symbol, Event::Kind::split};
+    e.distance = s.distance;
+    if (s.kind == SpecialS::join) {
+      std::size_t w = waiting_.size() - 1;
+      while (waiting_[w].curve != s.curve) --w;
+      e.kind = Event::Kind::join;
+      e.curve = waiting_[w].number;
+      e.length = waiting_[w].length;
+      waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(w));
+      length_ += e.length - 1;
+    } else {
+      e.curve = record_.curves++;
+      if (s.kind == SpecialS::split) {
+        e.length = length_;
+        waiting_.push_back({s.curve, e.curve, s.distance});
+      }
+      length_ -= 1 + s.distance;
+    }
+    record_.events.push_back(e);
+  }
+
+  struct Waiting {
+    std::uint32_t curve, number, length;
+  };
+
+  Traversal& traversal_;
+  Record record_;
+  std::size_t next_start_, next_special_;
+  std::vector<std::uint32_t> aside_;  ///< lengths of the curves whose gates are put aside
+  std::vector<Waiting> waiting_;      ///< curves split off for a handle
+  std::uint32_t length_ = 3;          ///< of the gate's curve
+};
+
+}  // namespace
+
+Record record_of(Traversal& traversal) {
+  return Recording(traversal).run();
+}
+
+}  // namespace clers

@@ -1,0 +1,38 @@
+// What a decoder will have to be told to build a surface that Edgebreaker has unbuilt.
+#ifndef CLERS_CODEC_RECORD_H
+#define CLERS_CODEC_RECORD_H
+
+#include <cstdint>
+#include <vector>
+
+#include "codec/edgebreaker.h"
+
+namespace clers {
+
+/// What is told besides a symbol, in the order of decoding.
+struct Event {
+  enum class Kind : std::uint8_t { new_component, closed, special, split, join };
+  std::uint32_t symbol;  ///< comes after this one, counted in the order of decoding
+  Kind kind;
+  bool value = false;          ///< new_component, closed, special
+  bool two_edges = false;      ///< new_component
+  std::uint32_t curve = 0;     ///< split, join: number of the curve that is split off
+  std::uint32_t distance = 0;  ///< split: edges back to the split; join: position on the curve
+  std::uint32_t length = 0;    ///< split, join: edges of the curve walked on
+  bool operator==(const Event&) const = default;
+};
+
+/// What a decoder will have to be told, and what it will know then.
+struct Record {
+  std::vector<std::uint8_t> contexts;  ///< valence << 3 | letter, in the order of decoding
+  std::vector<Event> events;
+  std::uint32_t curves = 0;             ///< that special S split off
+  std::vector<std::uint32_t> vertices;  ///< vertices[new] = old
+};
+
+/// The record of a traversal, whose contexts and vertices move into it. Cost: linear.
+Record record_of(Traversal& traversal);
+
+}  // namespace clers
+
+#endif
