@@ -141,11 +141,10 @@ class RecordingSource {
 }  // namespace
 
 std::optional<Record> built_record(std::span<const std::uint32_t> org, std::uint32_t vertex_count,
-                                   const Traversal& traversal, std::size_t ids,
-                                   BuildingMirror& pairing) {
+                                   const Traversal& traversal, BuildingMirror& pairing) {
   const std::uint32_t faces = static_cast<std::uint32_t>(traversal.gates.size());
   std::vector<std::uint32_t> corners(3 * std::size_t(faces));
-  std::vector<FrontLink> links(ids);
+  std::vector<FrontLink> links(3 * std::size_t(faces));
   Building building;
   building.corners = corners;
   building.links = links;

@@ -13,11 +13,10 @@
 
 namespace clers {
 
-/// Builds the surface again, with `ids` vertex ids of the front. `org` is what was unbuilt. Nothing
-/// if the traversal is not one of a surface.
+/// Builds the surface again. `org` is what was unbuilt; `pairing` has room for 3 vertex ids a face.
+/// Nothing if the traversal is not one of a surface. Counts of letters are left out.
 std::optional<Record> built_record(std::span<const std::uint32_t> org, std::uint32_t vertex_count,
-                                   const Traversal& traversal, std::size_t ids,
-                                   BuildingMirror& pairing);
+                                   const Traversal& traversal, BuildingMirror& pairing);
 
 }  // namespace clers
 

@@ -71,7 +71,7 @@ Told tell(LetterModel model, const Record& record, std::size_t ids) {
     told.special_cost = answers.special_cost;
     stream.finish(told.bytes);
   };
-  const std::size_t faces = record.contexts.size();
+  const std::uint32_t faces = static_cast<std::uint32_t>(record.contexts.size());
   if (model.kind == LetterModel::Kind::mixing) {
     std::vector<std::uint32_t> corners(3 * faces);
     std::vector<FrontLink> links(ids);
@@ -90,14 +90,15 @@ Told tell(LetterModel model, const Record& record, std::size_t ids) {
   Answers answers(record.events, record.curves, stream);
   // put(letter, valence) for each, and the answers where they are asked for.
   const auto tell_all = [&](auto put) {
-    std::uint32_t next = answers.next_symbol();
+    const std::uint8_t* const contexts = record.contexts.data();
     for (std::uint32_t i = 0; i < faces; ++i) {
-      if (i == next) answers.letter_begins();
-      if (i > 0) put(static_cast<Clers>(record.contexts[i] & 7), record.contexts[i] >> 3);
-      if (i == next) {
-        answers.write_after(i);
-        next = answers.next_symbol();
-      }
+      const std::uint32_t next = std::min(answers.next_symbol(), faces);
+      for (; i < next; ++i)
+        if (i > 0) put(static_cast<Clers>(contexts[i] & 7), contexts[i] >> 3);
+      if (i == faces) break;
+      answers.letter_begins();
+      if (i > 0) put(static_cast<Clers>(contexts[i] & 7), contexts[i] >> 3);
+      answers.write_after(i);
     }
   };
   const auto tell_with = [&](auto letters) {
@@ -108,10 +109,9 @@ Told tell(LetterModel model, const Record& record, std::size_t ids) {
   switch (model.kind) {
     case LetterModel::Kind::single: tell_with(SingleModel(model.history)); break;
     case LetterModel::Kind::code: {
-      Bytes code;
-      LetterWriter letters(code);
+      LetterWriter letters(faces);
       tell_all([&](Clers letter, std::uint32_t) { letters.put(letter); });
-      letters.finish();
+      const Bytes code = letters.finish();
       put_varint(told.bytes, code.size());
       put_bytes(told.bytes, code);
       break;
@@ -167,12 +167,6 @@ bool agree(const Record& a, const Record& b) {
   return a.contexts == b.contexts && a.events == b.events && a.vertices == b.vertices;
 }
 
-std::uint64_t count_letters(const std::vector<std::uint8_t>& contexts, unsigned letter) {
-  std::uint64_t count = 0;
-  for (const std::uint8_t c : contexts) count += (c & 7) == letter;
-  return count;
-}
-
 template <bool on_full_surface>
 Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorTrace* trace) {
   EncodedConnectivity result;
@@ -188,16 +182,10 @@ Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorT
                                  : Edgebreaker<Witness, false>(surface, witness).run();
   if (traversal.trouble != Traversal::Trouble::none) return failure(traversal.trouble);
 
-  auto& letters = result.counts.letters;
-  for (unsigned letter = 0; letter < letters.size(); ++letter)
-    letters[letter] = count_letters(traversal.contexts, letter);
-  const auto of = [&](Clers letter) { return letters[static_cast<unsigned>(letter)]; };
-  const std::size_t ids = of(Clers::R) + of(Clers::L) + 3 * of(Clers::E), merges = of(Clers::S);
-
   std::optional<Record> built;
   if constexpr (on_full_surface) {
-    BuildingMirror pairing(ids);
-    built = built_record(surface.org, surface.vertex_count, traversal, ids, pairing);
+    BuildingMirror pairing(3 * std::size_t(faces));
+    built = built_record(surface.org, surface.vertex_count, traversal, pairing);
     if (!built || !agree(witness, pairing))
       return fail(ErrorCode::internal, "the fast operators and the full surface do not agree");
     if (trace) *trace = std::move(witness.trace);
@@ -205,6 +193,10 @@ Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorT
   Record record = record_of(traversal);
   if (built && !agree(record, *built))
     return fail(ErrorCode::internal, "the record is not that of the surface built again");
+
+  result.counts.letters = record.letters;
+  const auto count = [&](Clers letter) { return record.letters[static_cast<unsigned>(letter)]; };
+  const std::size_t ids = count(Clers::R) + count(Clers::L) + 3 * count(Clers::E);
 
   const LetterModel chosen = choose_model(record.contexts, level);
   Told told = tell(chosen, record, ids);
@@ -215,7 +207,7 @@ Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorT
   }
   if (told.steps > allowed_steps(faces)) return failure(Traversal::Trouble::long_handles);
   put_header(result.bytes, faces, static_cast<std::uint32_t>(record.vertices.size()),
-             static_cast<std::uint32_t>(merges), told.model);
+             static_cast<std::uint32_t>(count(Clers::S)), told.model);
   put_bytes(result.bytes, told.bytes);
   result.special_cost = told.special_cost;
   result.counts.components = traversal.starts.size();

@@ -70,11 +70,15 @@ Expected<Done> check_arrays(const Mesh& mesh) {
                                           std::to_string(mesh.corners.size()) +
                                           " corners, expected at most " +
                                           std::to_string(max_corners));
-  for (std::size_t h = 0; h < mesh.corners.size(); ++h)
-    if (mesh.corners[h] >= mesh.vertex_count)
-      return fail(ErrorCode::inconsistent_mesh, Place::face, face_of_corner(mesh, h),
-                  "has vertex " + std::to_string(mesh.corners[h]) + ", expected one below " +
-                      std::to_string(mesh.vertex_count));
+  std::uint32_t largest = 0;
+  for (const std::uint32_t v : mesh.corners) largest = std::max(largest, v);
+  if (!mesh.corners.empty() && largest >= mesh.vertex_count) {
+    std::size_t h = 0;
+    while (mesh.corners[h] < mesh.vertex_count) ++h;
+    return fail(ErrorCode::inconsistent_mesh, Place::face, face_of_corner(mesh, h),
+                "has vertex " + std::to_string(mesh.corners[h]) + ", expected one below " +
+                    std::to_string(mesh.vertex_count));
+  }
   for (const Attribute& a : mesh.attributes) {
     if (a.name.size() > 255)
       return fail(ErrorCode::inconsistent_mesh, "an attribute's name is longer than 255 bytes");

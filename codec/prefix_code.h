@@ -18,25 +18,31 @@ namespace clers {
 /// Writes letters, lowest bits of a byte first.
 class LetterWriter {
  public:
-  explicit LetterWriter(std::vector<std::byte>& out) : out_(out) {}
+  /// At most so many letters.
+  explicit LetterWriter(std::size_t letters) : bytes_(letters / 2 + 8) {}
   void put(Clers letter) {
     static constexpr std::uint8_t codes[] = {0, 1, 3, 7, 15}, lengths[] = {1, 2, 3, 4, 4};
     const unsigned s = static_cast<unsigned>(letter);
     bits_ |= std::uint64_t(codes[s]) << count_;
     count_ += lengths[s];
-    if (count_ >= 32) {
-      for (unsigned i = 0; i < 4; ++i) out_.push_back(static_cast<std::byte>(bits_ >> 8 * i));
-      bits_ >>= 32;
-      count_ -= 32;
-    }
+    if (count_ >= 32) flush();
   }
-  void finish() {
-    for (; count_ > 0; count_ -= count_ < 8 ? count_ : 8, bits_ >>= 8)
-      out_.push_back(static_cast<std::byte>(bits_));
+  std::vector<std::byte> finish() {
+    const std::size_t size = size_ + (count_ + 7) / 8;
+    flush();
+    bytes_.resize(size);
+    return std::move(bytes_);
   }
 
  private:
-  std::vector<std::byte>& out_;
+  void flush() {
+    for (unsigned i = 0; i < 4; ++i) bytes_[size_++] = static_cast<std::byte>(bits_ >> 8 * i);
+    bits_ >>= 32;
+    count_ -= 32;
+  }
+
+  std::vector<std::byte> bytes_;
+  std::size_t size_ = 0;
   std::uint64_t bits_ = 0;
   unsigned count_ = 0;
 };

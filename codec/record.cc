@@ -17,23 +17,30 @@ class Recording {
   Record run() {
     const std::vector<std::uint8_t>& contexts = traversal_.contexts;
     const std::uint32_t faces = static_cast<std::uint32_t>(contexts.size());
+    if (faces == 0) return {};
+    std::uint32_t closings = 0, rights = 0, others = 0;  // C, R, and S or E
     for (std::uint32_t i = 1; i < faces; ++i) {
-      const unsigned letter = contexts[i] & 7;
-      if (letter < static_cast<unsigned>(Clers::S)) {
-        // C closes a corner, R and L add an edge; told without a branch, which would be
-        // mispredicted.
-        length_ += letter == static_cast<unsigned>(Clers::C) ? ~0u : 1u;
+      const Clers letter = static_cast<Clers>(contexts[i] & 7);
+      if (letter < Clers::S) {
+        // C takes an edge away, R and L add one. No branch tells: it would be mispredicted.
+        length_ += letter == Clers::C ? ~0u : 1u;
+        closings += letter == Clers::C;
+        rights += letter == Clers::R;
         continue;
       }
+      ++others;
       const std::uint32_t index = faces - 1 - i;
-      if (letter == static_cast<unsigned>(Clers::E))
+      if (letter == Clers::E)
         begin_curve(i, index);
       else if (next_special_ > 0 && traversal_.specials[next_special_ - 1].index == index)
         special(i);
       else
         join_to_aside(i);
     }
-    if (faces > 0) end_component(faces - 1);
+    end_component(faces - 1);
+    const std::uint32_t ends = 1 + begun_;
+    record_.letters = {closings, rights, faces - 1 - closings - rights - others, others - begun_,
+                       ends};
     record_.contexts = std::move(traversal_.contexts);
     record_.vertices = std::move(traversal_.vertices);
     return std::move(record_);
@@ -41,6 +48,7 @@ class Recording {
 
  private:
   void begin_curve(std::uint32_t symbol, std::uint32_t index) {
+    ++begun_;
     bool ends = false;
     if (aside_.empty()) {
       // Letters come last to first: a component ends where the one decoded before it started.
@@ -101,6 +109,7 @@ class Recording {
   std::vector<std::uint32_t> aside_;  ///< lengths of the curves whose gates are put aside
   std::vector<Waiting> waiting_;      ///< curves split off for a handle
   std::uint32_t length_ = 3;          ///< of the gate's curve
+  std::uint32_t begun_ = 0;           ///< curves, the first excepted
 };
 
 }  // namespace

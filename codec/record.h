@@ -2,6 +2,7 @@
 #ifndef CLERS_CODEC_RECORD_H
 #define CLERS_CODEC_RECORD_H
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -26,8 +27,9 @@ struct Event {
 struct Record {
   std::vector<std::uint8_t> contexts;  ///< valence << 3 | letter, in the order of decoding
   std::vector<Event> events;
-  std::uint32_t curves = 0;             ///< that special S split off
-  std::vector<std::uint32_t> vertices;  ///< vertices[new] = old
+  std::array<std::uint64_t, 5> letters = {};  ///< how many, by Clers
+  std::uint32_t curves = 0;                   ///< that special S split off
+  std::vector<std::uint32_t> vertices;        ///< vertices[new] = old
 };
 
 /// The record of a traversal, whose contexts and vertices move into it. Cost: linear.
