@@ -18,8 +18,8 @@ struct Sample {
   std::size_t run, uncounted;
 
   explicit Sample(const std::vector<std::uint8_t>& all) {
-    constexpr std::size_t runs = 8, least = 6144, most = 1u << 15;
-    run = std::clamp(all.size() / 12, least, most) / runs;
+    constexpr std::size_t runs = 8, least = 1u << 11, enough = 3u << 11, most = 1u << 15;
+    run = std::clamp(all.size() / 12, std::clamp(all.size() / 4, least, enough), most) / runs;
     uncounted = run / 4;
     if (runs * run >= all.size()) {
       contexts = all;

@@ -80,7 +80,7 @@ class Edgebreaker {
         vertices_(surface.vertex_count),
         steps_left_(allowed_steps(faces_)) {
     result_.gates.resize(faces_);
-    result_.contexts.resize(faces_);
+    result_.contexts.resize(faces_ + std::size_t(1));  // the first gate has no letter before it
     result_.vertices.resize(surface.vertex_count);
     if constexpr (valences)
       for (const std::uint32_t v : org_) vertices_[v].state += one_triangle;
@@ -98,6 +98,7 @@ class Edgebreaker {
       visit(org(lnext(gate)), visited);
       if (fine()) component(gate, true);
     }
+    result_.contexts.resize(faces_);
     if (faces_ > 0) result_.contexts[0] = static_cast<std::uint8_t>(last_);
     result_.vertices.resize(numbered_);
     std::sort(result_.specials.begin(), result_.specials.end(),
@@ -179,7 +180,7 @@ class Edgebreaker {
     VertexState* vertices = vertices_.data();
     HalfEdge* const gates = result_.gates.data();
     std::uint32_t* const numbers = result_.vertices.data();
-    std::uint8_t* const contexts_end = result_.contexts.data() + result_.contexts.size();
+    std::uint8_t* const contexts_end = result_.contexts.data() + faces_;
     std::uint32_t count = count_, numbered = numbered_, labels = labels_;
     Clers letter = last_;
     for (;;) {
@@ -196,9 +197,8 @@ class Edgebreaker {
         vertices[org[right_side.index()]].state -= one_triangle;
         vertices[v].state -= one_triangle;
       }
-      if (count > 0)
-        contexts_end[-std::ptrdiff_t(count)] =
-            static_cast<std::uint8_t>(valence << 3 | static_cast<unsigned>(letter));
+      contexts_end[-std::ptrdiff_t(count)] =
+          static_cast<std::uint8_t>(valence << 3 | static_cast<unsigned>(letter));
       HalfEdge next = right;
       if (!(vertices[v].state & visited)) {
         vertices[v].state |= visited;

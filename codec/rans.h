@@ -55,8 +55,8 @@ class Encoder {
         words.push_back(static_cast<std::uint16_t>(state));
         state >>= 16;
       }
-      const std::uint32_t quotient = state / s.size;
-      state = (quotient << scale_bits) + (state - quotient * s.size) + s.start;
+      // quotient * scale + remainder + start, with the least to do after the division
+      state = state + s.start + state / s.size * (scale - s.size);
     }
     out.reserve(out.size() + 4 + 2 * words.size());
     for (; state != 0; state >>= 8) out.push_back(static_cast<std::byte>(state));

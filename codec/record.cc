@@ -18,17 +18,15 @@ class Recording {
     const std::vector<std::uint8_t>& contexts = traversal_.contexts;
     const std::uint32_t faces = static_cast<std::uint32_t>(contexts.size());
     if (faces == 0) return {};
-    std::uint32_t closings = 0, rights = 0, others = 0;  // C, R, and S or E
+    // Most letters are C, R and L. They are counted, C below and R above, without a branch that
+    // tells them apart: it would be mispredicted.
+    static constexpr std::uint64_t one[8] = {1, std::uint64_t(1) << 32};
+    std::uint64_t counts = 0;
     for (std::uint32_t i = 1; i < faces; ++i) {
       const Clers letter = static_cast<Clers>(contexts[i] & 7);
-      if (letter < Clers::S) {
-        // C takes an edge away, R and L add one. No branch tells: it would be mispredicted.
-        length_ += letter == Clers::C ? ~0u : 1u;
-        closings += letter == Clers::C;
-        rights += letter == Clers::R;
-        continue;
-      }
-      ++others;
+      counts += one[static_cast<unsigned>(letter)];
+      if (letter < Clers::S) continue;
+      go_on(i, static_cast<std::uint32_t>(counts));
       const std::uint32_t index = faces - 1 - i;
       if (letter == Clers::E)
         begin_curve(i, index);
@@ -37,16 +35,27 @@ class Recording {
       else
         join_to_aside(i);
     }
+    const std::uint32_t closings = static_cast<std::uint32_t>(counts);
+    go_on(faces, closings);
     end_component(faces - 1);
-    const std::uint32_t ends = 1 + begun_;
-    record_.letters = {closings, rights, faces - 1 - closings - rights - others, others - begun_,
-                       ends};
+    const std::uint32_t rights = static_cast<std::uint32_t>(counts >> 32);
+    record_.letters = {closings, rights, letters_ - closings - rights,
+                       faces - 1 - letters_ - begun_, 1 + begun_};
     record_.contexts = std::move(traversal_.contexts);
     record_.vertices = std::move(traversal_.vertices);
     return std::move(record_);
   }
 
  private:
+  /// Up to a symbol: since the last S or E each C took an edge away, each R and L added one.
+  void go_on(std::uint32_t symbol, std::uint32_t closings) {
+    const std::uint32_t letters = symbol - after_;
+    length_ += letters - 2 * (closings - closings_);
+    letters_ += letters;
+    after_ = symbol + 1;
+    closings_ = closings;
+  }
+
   void begin_curve(std::uint32_t symbol, std::uint32_t index) {
     ++begun_;
     bool ends = false;
@@ -106,10 +115,12 @@ class Recording {
   Traversal& traversal_;
   Record record_;
   std::size_t next_start_, next_special_;
-  std::vector<std::uint32_t> aside_;  ///< lengths of the curves whose gates are put aside
-  std::vector<Waiting> waiting_;      ///< curves split off for a handle
-  std::uint32_t length_ = 3;          ///< of the gate's curve
-  std::uint32_t begun_ = 0;           ///< curves, the first excepted
+  std::vector<std::uint32_t> aside_;          ///< lengths of the curves whose gates are put aside
+  std::vector<Waiting> waiting_;              ///< curves split off for a handle
+  std::uint32_t length_ = 3;                  ///< of the gate's curve
+  std::uint32_t begun_ = 0;                   ///< curves, the first excepted
+  std::uint32_t after_ = 1;                   ///< the last S or E, it goes on here
+  std::uint32_t closings_ = 0, letters_ = 0;  ///< C until there; C, R and L
 };
 
 }  // namespace
