@@ -22,11 +22,16 @@ constexpr std::uint32_t none = HalfEdge::null_index;
 class StreamingMatcher {
  public:
   StreamingMatcher(const Faces& faces, std::span<HalfEdge> twins, std::uint32_t vertices)
-      : faces_(faces), org_(faces.org), twins_(twins), cells_(vertices) {}
+      : faces_(faces),
+        org_(faces.org),
+        twins_(twins),
+        nobody_(static_cast<std::uint32_t>(faces.org.size())),
+        cells_(vertices) {}
 
   bool run() {
-    if (cells_.size() > max_vertices) return false;
     const std::uint32_t n = static_cast<std::uint32_t>(org_.size());
+    if (n == 0) return true;
+    if (cells_.size() > max_vertices) return false;
     patience_ = 64 + 32 * std::uint64_t(n);
     return faces_.triangles() ? match_triangles(n) : match_polygons(faces_.count());
   }
@@ -40,13 +45,14 @@ class StreamingMatcher {
   struct Slot {
     Key awaited = none;              ///< of the half-edge to come; none: no edge is here
     std::uint32_t half_edge = none;  ///< that was met
-    bool is_free_or(Key key) const { return std::min(awaited ^ key, awaited ^ none) == 0; }
+    bool is_free_or(Key key) const { return std::min(awaited ^ key, ~awaited) == 0; }
     bool has_edge_of(Key key) const { return ((awaited ^ key) & ~(matched | 1)) == 0; }
   };
+  static constexpr std::uint32_t places = 8;
   struct alignas(64) Cell {
-    Slot slots[8];
-    static std::uint32_t place(Key key) { return (key >> 1) * 0x9e3779b1u >> 29; }
+    Slot slots[places];
   };
+  static std::uint32_t place(Key key) { return (key >> 1) * 0x9e3779b1u >> 29; }
   struct More {
     Slot slot;
     std::uint32_t next;
@@ -73,63 +79,61 @@ class StreamingMatcher {
   bool match_triangles(std::uint32_t n) {
     constexpr std::uint32_t ahead = 3 * 12;  // enough faces to hide what memory takes
     const std::uint32_t* const org = org_.data();
-    Cell* const cells = cells_.data();
+    Slot* const slots = cells_.data()->slots;
     HalfEdge* const twins = twins_.data();
     for (std::uint32_t h = 0; h < n; h += 3) {
       if constexpr (prefetch) {
         if (h + ahead < n) {
           const std::uint32_t *const o = &org[h + ahead], low = std::min(o[0], o[1]);
-          __builtin_prefetch(&cells[low], 1);
-          __builtin_prefetch(&cells[std::min(std::max(o[0], o[1]), o[2])], 1);
-          __builtin_prefetch(&cells[std::min(low, o[2])], 1);
+          __builtin_prefetch(&slots[std::size_t(places) * low], 1);
+          __builtin_prefetch(&slots[std::size_t(places) * std::min(std::max(o[0], o[1]), o[2])], 1);
+          __builtin_prefetch(&slots[std::size_t(places) * std::min(low, o[2])], 1);
         }
       }
       const std::uint32_t a = org[h], b = org[h + 1], c = org[h + 2];
-      if (!match(cells, twins, h, a, b) || !match(cells, twins, h + 1, b, c) ||
-          !match(cells, twins, h + 2, c, a))
+      if (!match(slots, twins, h, a, b) || !match(slots, twins, h + 1, b, c) ||
+          !match(slots, twins, h + 2, c, a))
         return false;
     }
     return true;
   }
 
   bool match_polygons(std::uint32_t n) {
-    Cell* const cells = cells_.data();
+    Slot* const slots = cells_.data()->slots;
     HalfEdge* const twins = twins_.data();
     for (std::uint32_t f = 0; f < n; ++f) {
       const std::uint32_t first = faces_.begin(f), last = faces_.end(f) - 1;
       for (std::uint32_t h = first; h < last; ++h)
-        if (!match(cells, twins, h, org_[h], org_[h + 1])) return false;
-      if (!match(cells, twins, last, org_[last], org_[first])) return false;
+        if (!match(slots, twins, h, org_[h], org_[h + 1])) return false;
+      if (!match(slots, twins, last, org_[last], org_[first])) return false;
     }
     return true;
   }
 
   /// Half-edge h from a to b. The first of an edge waits for the second; false if it is a third, or
   /// runs the same way as the first.
-  [[gnu::always_inline]] bool match(Cell* cells, HalfEdge* twins, std::uint32_t h, std::uint32_t a,
+  [[gnu::always_inline]] bool match(Slot* slots, HalfEdge* twins, std::uint32_t h, std::uint32_t a,
                                     std::uint32_t b) {
     const bool up = a < b;
     const std::uint32_t low = up ? a : b, high = up ? b : a;
     const Key key = 2 * high + up;
-    Slot* slot = &cells[low].slots[Cell::place(key)];
+    Slot* slot = &slots[std::size_t(places) * low + place(key)];
     if (!slot->is_free_or(key)) {
       slot = find(low, key);
       if (!slot) return false;
     }
-    const std::uint32_t e = slot->half_edge;  // none: h is the first
-    const std::uint32_t is_first = e == none;
-    slot->awaited = (key ^ 1) | ((is_first - 1) & matched);
-    slot->half_edge = h;
+    const std::uint32_t e = slot->half_edge;
     twins[h] = HalfEdge(e);
-    twins[std::min(e, h)] = HalfEdge(h | (0 - is_first));
+    twins[std::min(e, nobody_)] = HalfEdge(h);
+    *slot = {(key ^ 1) | (~slot->awaited & matched), h};
     return true;
   }
 
   /// Where the edge is, or goes, whose first place is taken; null if it may not be.
   [[gnu::noinline]] Slot* find(std::uint32_t low, Key key) {
     const auto good = [&](Slot& slot) { return slot.awaited == key ? &slot : nullptr; };
-    std::uint32_t at = Cell::place(key);
-    for (unsigned left = 8; left > 0; --left, at = (at + 1) % 8) {
+    std::uint32_t at = place(key);
+    for (unsigned left = places; left > 0; --left, at = (at + 1) % places) {
       Slot& slot = cells_[low].slots[at];
       if (slot.awaited == none) return &slot;
       if (slot.has_edge_of(key)) return good(slot);
@@ -147,6 +151,7 @@ class StreamingMatcher {
   const Faces& faces_;
   std::span<const std::uint32_t> org_;
   std::span<HalfEdge> twins_;
+  const std::uint32_t nobody_;        ///< one past the last half-edge: whose twin nobody asks for
   std::vector<Cell> cells_;           ///< by smaller end
   std::vector<std::uint32_t> heads_;  ///< by smaller end: lists of the edges that did not fit
   std::vector<More> more_;
@@ -198,8 +203,10 @@ std::uint64_t fan_size(const Faces& faces, std::span<const HalfEdge> twins, std:
 }  // namespace
 
 Expected<std::vector<HalfEdge>> find_twins(const Faces& faces, std::uint32_t vertex_count) {
-  std::vector<HalfEdge> twins(faces.org.size());
-  if (StreamingMatcher(faces, twins, vertex_count).run()) return twins;
+  std::vector<HalfEdge> twins(faces.org.size() + 1);
+  const bool matched = StreamingMatcher(faces, twins, vertex_count).run();
+  twins.pop_back();
+  if (matched) return twins;
   if (auto failure = match_sorted(faces, vertex_count, twins)) return *failure;
   return twins;
 }
