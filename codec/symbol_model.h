@@ -219,7 +219,11 @@ class PairModel : public ContextTables {
     return weights_[static_cast<unsigned>(std::bit_width(p.second.seen + 2)) - 1];
   }
   static std::uint32_t start(const Pair& p, std::uint32_t w, unsigned s) {
-    return (p.first.start(s) * (8 - w) + p.second.start(s) * w) >> 3;
+    // (first * (8 - w) + second * w) / 8 with one multiplication
+    const auto first = static_cast<std::int32_t>(p.first.start(s));
+    const auto second = static_cast<std::int32_t>(p.second.start(s));
+    return static_cast<std::uint32_t>(
+        (8 * first + (second - first) * static_cast<std::int32_t>(w)) >> 3);
   }
   [[gnu::always_inline]] void learn(const Pair& p, unsigned s) {
     if (p.second.seen <= 62) p.first.update(s);
