@@ -1,0 +1,87 @@
+#include "codec/comparand.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+namespace clers {
+namespace {
+
+std::size_t domain_size(const Mesh& mesh, Domain domain) {
+  switch (domain) {
+    case Domain::vertex: return mesh.vertex_count;
+    case Domain::corner: return mesh.corners.size();
+    case Domain::face: return mesh.face_count();
+  }
+  return 0;
+}
+
+auto key(const Attribute& a) {
+  return std::tie(a.domain, a.name, a.scalar, a.components);
+}
+
+std::string title(const Attribute& a) {
+  static constexpr const char* domains[] = {"vertex", "corner", "face"};
+  static constexpr const char* scalars[scalar_count] = {"int8",    "uint8",  "int16", "uint16",
+                                                        "int32",   "uint32", "int64", "uint64",
+                                                        "float32", "float64"};
+  return std::string(domains[static_cast<unsigned>(a.domain)]) + " attribute '" + a.name + "' (" +
+         std::to_string(a.components) + " " + scalars[static_cast<unsigned>(a.scalar)] + ")";
+}
+
+}  // namespace
+
+Comparand::Comparand(const Mesh& mesh)
+    : faces(mesh.corners, mesh.face_sizes), colour(mesh.vertex_count) {
+  for (const Attribute& a : mesh.attributes) attributes.push_back(&a);
+  std::stable_sort(attributes.begin(), attributes.end(),
+                   [](const Attribute* a, const Attribute* b) { return key(*a) < key(*b); });
+  for (std::size_t k = 0; k < attributes.size(); ++k) {
+    const Attribute& a = *attributes[k];
+    const std::size_t count = domain_size(mesh, a.domain), stride = a.stride();
+    std::vector<Colour>& target = a.domain == Domain::vertex   ? colour
+                                  : a.domain == Domain::corner ? corner_values
+                                                               : face_values;
+    target.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      Colour h = combine(target[i], k);
+      for (std::size_t at = 0; at < stride; at += sizeof(Colour)) {
+        Colour word = 0;
+        std::memcpy(&word, a.data.data() + i * stride + at, std::min(sizeof word, stride - at));
+        h = combine(h, word);
+      }
+      target[i] = h;
+    }
+  }
+}
+
+std::string objection(const Mesh& mesh) {
+  if (mesh.corners.size() >= std::numeric_limits<std::uint32_t>::max())
+    return "has too many corners to compare";
+  if (mesh.triangles_only() ? mesh.corners.size() % 3 != 0
+                            : std::accumulate(mesh.face_sizes.begin(), mesh.face_sizes.end(),
+                                              std::uint64_t{0}) != mesh.corners.size())
+    return "has face sizes that do not add up to its corners";
+  for (const std::uint32_t v : mesh.corners)
+    if (v >= mesh.vertex_count) return "uses vertex " + std::to_string(v) + ", which it lacks";
+  for (const Attribute& a : mesh.attributes)
+    if (a.data.size() != domain_size(mesh, a.domain) * a.stride())
+      return "has an attribute '" + a.name + "' of the wrong size";
+  return {};
+}
+
+std::optional<std::string> attributes_differ(const Comparand& a, const Comparand& b) {
+  for (std::size_t k = 0; k < std::max(a.attributes.size(), b.attributes.size()); ++k) {
+    const Attribute* x = k < a.attributes.size() ? a.attributes[k] : nullptr;
+    const Attribute* y = k < b.attributes.size() ? b.attributes[k] : nullptr;
+    if (x != nullptr && y != nullptr && key(*x) == key(*y)) continue;
+    const bool in_first = y == nullptr || (x != nullptr && key(*x) < key(*y));
+    return title(in_first ? *x : *y) + " is only in the " + (in_first ? "first" : "second") +
+           " mesh";
+  }
+  return std::nullopt;
+}
+
+}  // namespace clers

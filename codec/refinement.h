@@ -1,0 +1,20 @@
+// Colour refinement (Weisfeiler and Leman 1968): elements learn what lies around them.
+#ifndef CLERS_CODEC_REFINEMENT_H
+#define CLERS_CODEC_REFINEMENT_H
+
+#include <vector>
+
+#include "codec/comparand.h"
+
+namespace clers {
+
+/// One round: a vertex's new colour is its old one and the multiset of the faces around it, each
+/// read as a cycle of colours and values from that vertex on. Cost: linear.
+void refine(Comparand& mesh);
+
+/// Colours of faces: their cycles of vertices and all values. Cost: linear.
+std::vector<Colour> face_colours(const Comparand& mesh);
+
+}  // namespace clers
+
+#endif

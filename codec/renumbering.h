@@ -1,0 +1,22 @@
+// The proof of a comparison: does this renumbering carry one mesh onto the other?
+#ifndef CLERS_CODEC_RENUMBERING_H
+#define CLERS_CODEC_RENUMBERING_H
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "codec/comparand.h"
+
+namespace clers {
+
+/// What fails when vertex v of one mesh is vertex image[v] of the other, faces and values compared
+/// bit by bit; nothing: they are the same. Cost: that of sorting the faces.
+/// Precondition: the same counts and attributes.
+std::optional<std::string> renumbering_fails(const Comparand& a, const Comparand& b,
+                                             const std::vector<std::uint32_t>& image);
+
+}  // namespace clers
+
+#endif
