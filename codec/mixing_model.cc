@@ -51,6 +51,16 @@ constexpr std::uint32_t hash(std::uint32_t what, Values... values) {
 constexpr unsigned rows[] = {64, 216, 96, 24, 21};  // of the sets of weights
 constexpr unsigned curve_contexts[] = {512, 1024, 1024, 96};
 
+/// n times the same, n at least 1, by doubling: for a small mesh such tables are most of the work.
+template <class T, std::size_t size>
+std::vector<T> copies(const std::array<T, size>& first, std::size_t n) {
+  std::vector<T> all(size * n);
+  std::copy(first.begin(), first.end(), all.begin());
+  for (std::size_t done = size; done < all.size(); done *= 2)
+    std::copy_n(all.data(), std::min(done, all.size() - done), all.data() + done);
+  return all;
+}
+
 }  // namespace
 
 /// Valences are at most 15, degrees at most 31; an unknown degree is 0.
@@ -76,19 +86,18 @@ MixingModel::MixingModel(std::size_t faces, std::size_t ids)
       final_weights_(rows[0] * decisions * sets, 65536 / sets) {
   history_.reserve(faces + 1);
   history_.push_back(static_cast<std::uint8_t>(Clers::E));
+  std::array<std::int32_t, std::size_t{decisions} * inputs> first_row;
+  for (std::size_t k = 0; k < first_row.size(); ++k)
+    first_row[k] = first_weights[k / inputs][k % inputs] * (mixer::one / 4096);
   for (unsigned s = 0; s < sets; ++s) {
-    const std::size_t n = rows[s] * decisions;
-    rates_[s].resize(n, first_rate);
-    weights_[s].resize(n * inputs);
-    for (std::size_t r = 0; r < n; ++r)
-      for (std::size_t k = 0; k < inputs; ++k)
-        weights_[s][r * inputs + k] = first_weights[r % decisions][k] * (mixer::one / 4096);
+    rates_[s].resize(rows[s] * decisions, first_rate);
+    weights_[s] = copies(first_row, rows[s]);
   }
-  for (unsigned c = 0; c < curves; ++c) {
-    curve_[c].resize(std::size_t(curve_contexts[c]) * decisions * 33);
-    for (std::size_t i = 0; i < curve_[c].size(); ++i)
-      curve_[c][i] = static_cast<std::uint16_t>(logistic.squash((int(i % 33) - 16) * 128));
-  }
+  std::array<std::uint16_t, 33> first_curve;
+  for (std::size_t i = 0; i < first_curve.size(); ++i)
+    first_curve[i] = static_cast<std::uint16_t>(logistic.squash((int(i) - 16) * 128));
+  for (unsigned c = 0; c < curves; ++c)
+    curve_[c] = copies(first_curve, std::size_t(curve_contexts[c]) * decisions);
   for (unsigned m = 0; m < matches; ++m) {
     places_[m].resize(std::size_t(1) << table_bits_);
     confidence_[m].resize(64 * 2 * decisions);

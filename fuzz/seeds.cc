@@ -57,26 +57,23 @@ bool write_all(const std::filesystem::path& root) {
   bool ok = true;
   std::vector<Mesh> all;
   for (const auto& [name, mesh] : meshes()) {
-    for (const std::uint32_t faces : {1u, 12u}) {
+    // Levels differ in connectivity, which knows nothing of order and pieces: one level has those.
+    for (const std::uint32_t faces : {0u, 1u, 12u}) {
       EncodeOptions options;
       options.piece_faces = faces;
-      options.order = faces == 1 ? Order::free : Order::keep;
+      options.order = faces == 1 ? Order::free : Order::keep;  // 0: whole
       const auto encoded = encode({&mesh, 1}, options);
       ok = ok && encoded &&
-           write(root / "decode_any" / (name + "-in-pieces-" + std::to_string(faces)),
+           write(root / "decode_any" /
+                     (name + (faces == 0 ? "-kept" : "-in-pieces-" + std::to_string(faces))),
                  encoded->bytes);
     }
     for (const int level : {1, 5, 9}) {
-      for (const Order order : {Order::free, Order::keep}) {
-        EncodeOptions options;
-        options.level = level;
-        options.order = order;
-        const auto encoded = encode({&mesh, 1}, options);
-        ok = ok && encoded &&
-             write(root / "decode_any" /
-                       (name + (order == Order::keep ? "-kept-" : "-") + std::to_string(level)),
-                   encoded->bytes);
-      }
+      EncodeOptions options;
+      options.level = level;
+      const auto encoded = encode({&mesh, 1}, options);
+      ok = ok && encoded &&
+           write(root / "decode_any" / (name + "-" + std::to_string(level)), encoded->bytes);
       if (!mesh.triangles_only() || !is_surface(mesh)) continue;
       auto twins = find_twins({mesh.corners, mesh.face_sizes}, mesh.vertex_count);
       const auto connectivity =
