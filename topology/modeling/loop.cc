@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "topology/modeling/vertex_mask.h"
+
 namespace clers {
 namespace {
 
@@ -23,18 +25,7 @@ bool is_old(std::uint32_t number) {
 
 void loop_vertex_mask(const Surface& surface, const Creases& creases, Vertex v,
                       std::vector<Term>& mask) {
-  mask.clear();
-  const SharpEdges sharp = sharp_edges(surface, creases, v);
-  if (sharp.smooth()) {
-    const std::uint32_t n = surface.degree(v);
-    const double a = alpha(n);
-    mask.push_back({v, 1 - a});
-    for (const HalfEdge h : surface.star(v)) mask.push_back({surface.other_end(h, v), a / n});
-  } else if (sharp.curve()) {
-    mask = {{v, 0.75}, {sharp.ends[0], 0.125}, {sharp.ends[1], 0.125}};
-  } else {
-    mask = {{v, 1}};
-  }
+  vertex_mask(surface, creases, v, alpha, 0.25, mask);
 }
 
 void loop_edge_mask(const Surface& surface, const Creases& creases, HalfEdge h,
@@ -49,18 +40,8 @@ void loop_edge_mask(const Surface& surface, const Creases& creases, HalfEdge h,
 
 void loop_limit_mask(const Surface& surface, const Creases& creases, Vertex v,
                      std::vector<Term>& mask) {
-  mask.clear();
-  const SharpEdges sharp = sharp_edges(surface, creases, v);
-  if (sharp.smooth()) {
-    const std::uint32_t n = surface.degree(v);
-    const double each = 1 / (n + 3 * n / (8 * alpha(n)));
-    mask.push_back({v, 1 - n * each});
-    for (const HalfEdge h : surface.star(v)) mask.push_back({surface.other_end(h, v), each});
-  } else if (sharp.curve()) {
-    mask = {{v, 2. / 3}, {sharp.ends[0], 1. / 6}, {sharp.ends[1], 1. / 6}};
-  } else {
-    mask = {{v, 1}};
-  }
+  const auto ring = [](std::uint32_t n) { return 1 / (1 + 3 / (8 * alpha(n))); };
+  vertex_mask(surface, creases, v, ring, 1. / 3, mask);
 }
 
 Result<Done, Violation> loop_check(const Surface& surface) {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "topology/modeling/vertex_mask.h"
+
 namespace clers {
 namespace {
 
@@ -31,18 +33,7 @@ void edge_mask(const Surface& s, const Creases& creases, HalfEdge h, Vertex end,
 
 void sqrt3_vertex_mask(const Surface& surface, const Creases& creases, Vertex v, Sqrt3Step step,
                        std::vector<Term>& mask) {
-  mask.clear();
-  const SharpEdges sharp = sharp_edges(surface, creases, v);
-  if (sharp.smooth()) {
-    const std::uint32_t n = surface.degree(v);
-    const double a = alpha(n);
-    mask.push_back({v, 1 - a});
-    for (const HalfEdge h : surface.star(v)) mask.push_back({surface.other_end(h, v), a / n});
-  } else if (sharp.curve() && step == Sqrt3Step::second) {
-    mask = {{v, 19. / 27}, {sharp.ends[0], 4. / 27}, {sharp.ends[1], 4. / 27}};
-  } else {
-    mask = {{v, 1}};
-  }
+  vertex_mask(surface, creases, v, alpha, step == Sqrt3Step::second ? 8. / 27 : 0, mask);
 }
 
 void sqrt3_edge_mask(const Surface& surface, const Creases& creases, HalfEdge h,
@@ -56,18 +47,8 @@ void sqrt3_edge_mask_at_dest(const Surface& surface, const Creases& creases, Hal
 
 void sqrt3_limit_mask(const Surface& surface, const Creases& creases, Vertex v,
                       std::vector<Term>& mask) {
-  mask.clear();
-  const SharpEdges sharp = sharp_edges(surface, creases, v);
-  if (sharp.smooth()) {
-    const std::uint32_t n = surface.degree(v);
-    const double beta = 3 * alpha(n) / (1 + 3 * alpha(n));
-    mask.push_back({v, 1 - beta});
-    for (const HalfEdge h : surface.star(v)) mask.push_back({surface.other_end(h, v), beta / n});
-  } else if (sharp.curve()) {
-    mask = {{v, 2. / 3}, {sharp.ends[0], 1. / 6}, {sharp.ends[1], 1. / 6}};
-  } else {
-    mask = {{v, 1}};
-  }
+  const auto ring = [](std::uint32_t n) { return 3 * alpha(n) / (1 + 3 * alpha(n)); };
+  vertex_mask(surface, creases, v, ring, 1. / 3, mask);
 }
 
 Result<Sqrt3Plan, Violation> sqrt3_plan(const Surface& surface, const Creases& creases,

@@ -1,0 +1,21 @@
+#include "topology/modeling/vertex_mask.h"
+
+namespace clers {
+
+void vertex_mask(const Surface& surface, const Creases& creases, Vertex v,
+                 double (*ring)(std::uint32_t degree), double along, std::vector<Term>& mask) {
+  const SharpEdges sharp = sharp_edges(surface, creases, v);
+  mask.clear();
+  if (sharp.smooth()) {
+    const std::uint32_t n = surface.degree(v);
+    const double shared = ring(n);
+    mask.push_back({v, 1 - shared});
+    for (const HalfEdge h : surface.star(v)) mask.push_back({surface.other_end(h, v), shared / n});
+  } else if (sharp.curve() && along > 0) {
+    mask = {{v, 1 - along}, {sharp.ends[0], along / 2}, {sharp.ends[1], along / 2}};
+  } else {
+    mask = {{v, 1}};
+  }
+}
+
+}  // namespace clers
