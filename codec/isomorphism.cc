@@ -192,7 +192,10 @@ bool Isomorphism::match_along(Index u, Index v) {
       const Index from = along_from_[k].second, to = along_to_[k].second;
       const bool done_from = matched_from_[from_->mesh.faces.face(from)];
       const bool done_to = matched_to_[to_->mesh.faces.face(to)];
-      if (done_from != done_to || (!done_from && !match(from, to))) return false;
+      if (done_from != done_to) return false;
+      if (done_from || match(from, to)) continue;
+      if (j - i > 1) work_ = budget_ + 1;  // unequal after all: colours collided, so give up
+      return false;
     }
   }
   return true;
