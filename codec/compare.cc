@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "codec/comparand.h"
-#include "codec/pairing.h"
-#include "codec/refinement.h"
-#include "codec/renumbering.h"
+#include "codec/comparison/comparand.h"
+#include "codec/comparison/pairing.h"
+#include "codec/comparison/refinement.h"
+#include "codec/comparison/renumbering.h"
 
 // Two meshes are the same when a bijection of vertices carries the faces of one, as a multiset of
 // cycles, onto those of the other, and every value with them. Finding it is graph isomorphism;

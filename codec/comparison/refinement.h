@@ -1,10 +1,10 @@
 // Colour refinement (Weisfeiler and Leman 1968): elements learn what lies around them.
-#ifndef CLERS_CODEC_REFINEMENT_H
-#define CLERS_CODEC_REFINEMENT_H
+#ifndef CLERS_CODEC_COMPARISON_REFINEMENT_H
+#define CLERS_CODEC_COMPARISON_REFINEMENT_H
 
 #include <vector>
 
-#include "codec/comparand.h"
+#include "codec/comparison/comparand.h"
 
 namespace clers {
 

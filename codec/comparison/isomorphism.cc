@@ -1,4 +1,4 @@
-#include "codec/isomorphism.h"
+#include "codec/comparison/isomorphism.h"
 
 #include <algorithm>
 #include <numeric>

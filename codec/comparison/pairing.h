@@ -4,14 +4,14 @@
 // first mesh is compared with one of every kind known so far, and joins that kind or founds one;
 // each of the second then takes one of its kind, no matter which. So a component is searched for
 // as often as there are kinds of its colour, however many others there are.
-#ifndef CLERS_CODEC_PAIRING_H
-#define CLERS_CODEC_PAIRING_H
+#ifndef CLERS_CODEC_COMPARISON_PAIRING_H
+#define CLERS_CODEC_COMPARISON_PAIRING_H
 
 #include <cstdint>
 #include <vector>
 
 #include "codec/compare.h"
-#include "codec/isomorphism.h"
+#include "codec/comparison/isomorphism.h"
 
 namespace clers {
 

@@ -1,4 +1,4 @@
-#include "codec/pairing.h"
+#include "codec/comparison/pairing.h"
 
 #include <algorithm>
 #include <cstddef>

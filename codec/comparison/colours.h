@@ -1,8 +1,8 @@
 // Colours of a comparison: hashes of what a renumbering keeps, and elements in classes by them.
 //
 // Different colours prove a difference. Equal ones prove nothing.
-#ifndef CLERS_CODEC_COLOURS_H
-#define CLERS_CODEC_COLOURS_H
+#ifndef CLERS_CODEC_COMPARISON_COLOURS_H
+#define CLERS_CODEC_COMPARISON_COLOURS_H
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "codec/colours.h"
+#include "codec/comparison/colours.h"
 
 #include <algorithm>
 

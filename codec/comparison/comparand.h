@@ -1,6 +1,6 @@
 // One of two meshes that are compared: attributes in an order that both share, values as colours.
-#ifndef CLERS_CODEC_COMPARAND_H
-#define CLERS_CODEC_COMPARAND_H
+#ifndef CLERS_CODEC_COMPARISON_COMPARAND_H
+#define CLERS_CODEC_COMPARISON_COMPARAND_H
 
 #include <cstddef>
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "codec/colours.h"
+#include "codec/comparison/colours.h"
 #include "codec/faces.h"
 #include "codec/mesh.h"
 

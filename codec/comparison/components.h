@@ -1,13 +1,13 @@
 // The components of a compared mesh: faces that hang together by vertices.
-#ifndef CLERS_CODEC_COMPONENTS_H
-#define CLERS_CODEC_COMPONENTS_H
+#ifndef CLERS_CODEC_COMPARISON_COMPONENTS_H
+#define CLERS_CODEC_COMPARISON_COMPONENTS_H
 
 #include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "codec/comparand.h"
+#include "codec/comparison/comparand.h"
 
 namespace clers {
 

@@ -1,13 +1,13 @@
 // The proof of a comparison: does this renumbering carry one mesh onto the other?
-#ifndef CLERS_CODEC_RENUMBERING_H
-#define CLERS_CODEC_RENUMBERING_H
+#ifndef CLERS_CODEC_COMPARISON_RENUMBERING_H
+#define CLERS_CODEC_COMPARISON_RENUMBERING_H
 
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "codec/comparand.h"
+#include "codec/comparison/comparand.h"
 
 namespace clers {
 

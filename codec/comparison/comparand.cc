@@ -1,4 +1,4 @@
-#include "codec/comparand.h"
+#include "codec/comparison/comparand.h"
 
 #include <algorithm>
 #include <cstring>

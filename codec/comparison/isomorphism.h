@@ -3,8 +3,8 @@
 // Guess the image of a single corner: across an edge of two faces there is no choice, so the guess
 // decides a whole sheet. Where sheets meet in a vertex or edge, guess again, and go back when a
 // guess was wrong.
-#ifndef CLERS_CODEC_ISOMORPHISM_H
-#define CLERS_CODEC_ISOMORPHISM_H
+#ifndef CLERS_CODEC_COMPARISON_ISOMORPHISM_H
+#define CLERS_CODEC_COMPARISON_ISOMORPHISM_H
 
 #include <cstdint>
 #include <optional>
@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "codec/comparand.h"
 #include "codec/compare.h"
-#include "codec/components.h"
+#include "codec/comparison/comparand.h"
+#include "codec/comparison/components.h"
 
 namespace clers {
 

@@ -1,4 +1,4 @@
-#include "codec/components.h"
+#include "codec/comparison/components.h"
 
 #include <algorithm>
 #include <numeric>

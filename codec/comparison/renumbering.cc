@@ -1,4 +1,4 @@
-#include "codec/renumbering.h"
+#include "codec/comparison/renumbering.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "codec/refinement.h"
+#include "codec/comparison/refinement.h"
 
 #include <cstddef>
 #include <cstdint>
