@@ -39,7 +39,15 @@ class Bisection {
  public:
   /// The left side should weigh `left`, give or take `slack`.
   Bisection(const Graph& graph, std::uint64_t left, std::uint64_t slack)
-      : graph_(graph), left_(left), slack_(slack), locked_(graph.count()), gain_(graph.count()) {}
+      : graph_(graph),
+        left_(left),
+        slack_(slack),
+        while_moving_(slack),
+        locked_(graph.count()),
+        gain_(graph.count()) {
+    for (const std::uint32_t w : graph.weights)
+      while_moving_ = std::max<std::uint64_t>(while_moving_, w);
+  }
 
   /// The first nodes of those given to the left, as many as it takes.
   void begin(std::span<const std::uint32_t> order) {
@@ -75,7 +83,7 @@ class Bisection {
   const std::vector<std::uint8_t>& side() const { return side_; }
 
  private:
-  static constexpr unsigned most_rounds = 8;
+  static constexpr unsigned most_rounds = 3;
 
   struct Candidate {
     std::int64_t gain;
@@ -119,14 +127,15 @@ class Bisection {
     auto best = state();
     std::size_t best_moves = 0;
     Nodes moved;
-    const std::size_t patience = 50 + graph_.count() / 16;
+    const std::size_t patience = 50 + graph_.count() / 32;
     while (moved.size() < best_moves + patience) {
       const Candidate* next = nullptr;
       for (auto& candidates : queue) {
         while (!candidates.empty()) {
           const auto [gain, n] = candidates.top();
-          const std::uint64_t then = excess(weight_after(n));
-          if (!locked_[n] && gain == gain_[n] && (then == 0 || then < excess())) break;
+          const std::uint64_t then = off(weight_after(n));
+          if (!locked_[n] && gain == gain_[n] && (then <= while_moving_ || then < off(weight_)))
+            break;
           candidates.pop();
         }
         if (!candidates.empty() && (!next || next->gain < candidates.top().gain))
@@ -155,6 +164,7 @@ class Bisection {
 
   const Graph& graph_;
   std::uint64_t left_, slack_;
+  std::uint64_t while_moving_;  ///< what sides may be off by before all is done: a node at least
   std::uint64_t weight_ = 0, cut_ = 0;  ///< of the left side, and what runs across
   std::vector<std::uint8_t> side_, locked_;
   std::vector<std::int64_t> gain_;  ///< how much less is cut if the node moves
@@ -201,7 +211,7 @@ std::vector<std::uint8_t> halved(const Graph& graph, std::uint32_t left_parts,
   std::iota(order.begin(), order.end(), 0u);
   try_from(order);
   // Large graphs take long, and have long been cut well when they have become small.
-  const std::uint32_t starts = std::clamp((1u << 15) / graph.count(), 1u, 16u);
+  const std::uint32_t starts = std::clamp((1u << 15) / graph.count(), 1u, 12u);
   for (std::uint32_t i = 0; i < starts; ++i) {
     // What is farthest from anywhere is an end of the graph.
     const auto from = static_cast<std::uint32_t>(std::uint64_t(graph.count()) * i / starts);
@@ -269,7 +279,7 @@ std::vector<std::uint32_t> parted(const Graph& graph, std::uint32_t parts) {
   Nodes result(graph.count()), names(graph.count());
   std::iota(names.begin(), names.end(), 0u);
   part(graph, names, 0, parts, result);
-  for (unsigned round = 0; round < 3; ++round) exchange(graph, parts, result);
+  for (unsigned round = 0; round < 2; ++round) exchange(graph, parts, result);
   return result;
 }
 

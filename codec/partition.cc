@@ -81,6 +81,7 @@ Patches patches_of(const Places& places, const Faces& faces, const std::vector<s
   for (std::uint32_t f = 0; f < faces.count(); ++f) {
     const auto cycle = faces.cycle(f);
     if (cycle.empty()) continue;
+    const std::size_t before_face = across.size();
     for (std::size_t j = 1; j < cycle.size(); ++j)
       if (cell[cycle[j - 1]] == cell[cycle[j]])
         vertices.join(cycle[j - 1], cycle[j]);
@@ -88,7 +89,7 @@ Patches patches_of(const Places& places, const Faces& faces, const std::vector<s
         across.emplace_back(cycle[j - 1], cycle[j]);
     if (cell[cycle.back()] != cell[cycle.front()])
       across.emplace_back(cycle.back(), cycle.front());
-    else if (cycle.size() > 2)
+    else if (cycle.size() > 2 && across.size() > before_face)
       vertices.join(cycle.back(), cycle.front());
   }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -423,16 +424,101 @@ TEST(Partition, DependsOnPlacesOnly) {
 }
 
 TEST(Partition, PartsAreOfTheSizeAskedFor) {
-  const Mesh mesh = corpus::shuffle(corpus::torus(200, 150), 1);
-  for (const std::uint32_t faces : {100u, 1000u, 9999u, 59999u}) {
-    const Partition parts = partition(mesh, faces);
-    const std::size_t expected = (mesh.face_count() + faces - 1) / faces;
-    EXPECT_EQ(parts.count(), expected);
-    for (std::size_t i = 0; i < parts.count(); ++i) {
-      EXPECT_LT(parts.piece(i).size(), 2 * faces);
-      EXPECT_GT(parts.piece(i).size(), 0u);
+  const Mesh torus = corpus::shuffle(corpus::torus(200, 150), 1);
+  Mesh nowhere = torus;
+  nowhere.attributes.clear();
+  for (const Mesh& mesh : {torus, nowhere})
+    for (const std::uint32_t faces : {100u, 1000u, 9999u, 59999u}) {
+      const Partition parts = partition(mesh, faces);
+      const std::size_t expected = (mesh.face_count() + faces - 1) / faces;
+      EXPECT_EQ(parts.count(), expected);
+      const std::size_t share = mesh.face_count() / expected;
+      for (std::size_t i = 0; i < parts.count(); ++i) {
+        const std::size_t size = parts.piece(i).size();
+        EXPECT_LT(size, faces < 1000 ? share * 3 / 2 : share * 11 / 10);
+        EXPECT_GT(size, faces < 1000 ? share / 2 : share * 9 / 10);
+      }
     }
+}
+
+Mesh without_positions(Mesh mesh) {
+  mesh.attributes.clear();
+  return mesh;
+}
+
+/// A strip that is rolled up: planes would cut it at every turn, but seven cuts across it make
+/// eight pieces.
+TEST(Partition, FollowsTheSurface) {
+  constexpr std::uint32_t length = 1600, width = 20;
+  Mesh mesh = corpus::grid(length, width);
+  const auto place = [&](std::uint32_t v, unsigned axis) {
+    return mesh.attributes[0].data.data() + (3 * std::size_t(v) + axis) * sizeof(float);
+  };
+  for (std::uint32_t v = 0; v < mesh.vertex_count; ++v) {
+    float x, y;
+    std::memcpy(&x, place(v, 0), sizeof x);
+    std::memcpy(&y, place(v, 1), sizeof y);
+    const float turn = x / static_cast<float>(length) * 60, radius = 10 + turn;
+    const float p[3] = {radius * std::cos(turn), radius * std::sin(turn), y};
+    std::memcpy(place(v, 0), p, sizeof p);
   }
+  mesh = corpus::shuffle(mesh, 5);
+  for (const Mesh& m : {mesh, without_positions(mesh)}) {
+    const PieceCutter cutter(m, partition(m, static_cast<std::uint32_t>(m.face_count() / 8)));
+    ASSERT_EQ(cutter.count(), 8u);
+    std::size_t vertices = 0;
+    std::vector<std::uint32_t> number;
+    for (std::size_t i = 0; i < cutter.count(); ++i) {
+      const Mesh piece = cutter.cut(i, number).mesh;
+      vertices += piece.vertex_count;
+      const auto shape = measure(piece);
+      ASSERT_TRUE(shape.ok());
+      EXPECT_EQ(shape->components, 1u);
+      EXPECT_EQ(shape->boundary_curves, 1u);
+    }
+    EXPECT_LE(vertices - m.vertex_count, 2 * 7 * (width + 1));
+  }
+}
+
+/// Coordinates of any size and kind: planes, too, that no number of a float can be far from.
+TEST(Partition, AnyCoordinates) {
+  const Mesh ball = corpus::icosphere(5);
+  const auto curves = [](const Mesh& mesh) {
+    const PieceCutter cutter(mesh, partition(mesh, 3000));
+    EXPECT_EQ(cutter.count(), 7u);
+    std::vector<std::uint32_t> number;
+    std::size_t vertices = 0;
+    for (std::size_t i = 0; i < cutter.count(); ++i) {
+      vertices += cutter.cut(i, number).mesh.vertex_count;
+      EXPECT_LT(cutter.faces(i).size(), 3300u);
+    }
+    return vertices - mesh.vertex_count;
+  };
+  const std::size_t expected = curves(ball);
+  const auto with = [&](auto scalar_of, Scalar scalar) {
+    Mesh mesh = ball;
+    Attribute& a = mesh.attributes[0];
+    a.scalar = scalar;
+    std::vector<std::byte> data;
+    for (std::size_t i = 0; i < 3 * std::size_t(mesh.vertex_count); ++i) {
+      float x;
+      std::memcpy(&x, a.data.data() + 4 * i, 4);
+      const auto value = scalar_of(x);
+      const auto bytes = std::as_bytes(std::span(&value, 1));
+      data.insert(data.end(), bytes.begin(), bytes.end());
+    }
+    a.data = std::move(data);
+    return curves(mesh);
+  };
+  for (const float unit : {1e-41f, 1e-30f, 1e-3f, 1e5f, 1e30f})
+    EXPECT_LE(with([&](float x) { return x * unit; }, Scalar::float32), expected * 3 / 2) << unit;
+  EXPECT_LE(with([](float x) { return x + 1000; }, Scalar::float32), expected * 3 / 2);
+  EXPECT_LE(with([](float x) { return x * 1e200; }, Scalar::float64), expected * 3 / 2);
+  EXPECT_LE(with([](float x) { return static_cast<std::int16_t>(x * 30000); }, Scalar::int16),
+            expected * 3 / 2);
+  EXPECT_LE(with([](float x) { return static_cast<std::int64_t>(x * 1e15f); }, Scalar::int64),
+            expected * 3 / 2);
+  with([](float x) { return x > 0.9f ? std::nanf("") : x; }, Scalar::float32);
 }
 
 TEST(Partition, SmallComponentsStayWhole) {
