@@ -155,7 +155,7 @@ std::vector<std::uint32_t> pieces_of_vertices(const Mesh& mesh, const Faces& fac
                                               std::uint32_t pieces, unsigned threads) {
   // Cells are what pieces are made of: 64 of them make a piece that is round enough, where there
   // are not too many in all.
-  const std::uint32_t most = std::clamp((1u << 14) / pieces, 4u, 64u);
+  const std::uint32_t most = std::clamp((1u << 12) / pieces, 4u, 64u);
   const std::uint32_t each = std::clamp(mesh.vertex_count / pieces / 4, 1u, most);
   Patches patches;
   {

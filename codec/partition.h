@@ -21,14 +21,16 @@ struct Partition {
   }
 };
 
-/// Parts the faces into pieces of about `piece_faces`, in space: a mesh is halved again and again
-/// by the plane across an axis that cuts the fewest faces. A face lies where most of its vertices
-/// do, and a component that is small beside a piece lies as a whole where its least vertex does.
+/// Parts the faces into as many pieces as it takes for `piece_faces` in each; a piece may have some
+/// percent more. Seams are short along the surface: what hangs together in a small cell of space
+/// stays together, and of such patches pieces are made so that few edges are cut (`cells.h`,
+/// `bisection.h`). A face lies where most of its vertices do, and a component that is small beside
+/// a piece lies as a whole in one.
 ///
 /// Vertices at one place are never told apart, so the parts depend on neither the order of faces
-/// nor that of vertices. Without positions the place of a vertex is how far it is from some others.
-/// Precondition: the mesh is consistent. Cost: linear; some 10 bytes a face. Throws std::bad_alloc
-/// only.
+/// nor that of vertices. Without positions cells grow along the faces, and the parts do depend on
+/// that. Precondition: the mesh is consistent. Cost: linear, and n log n in the patches; some 15
+/// bytes a face. Throws std::bad_alloc only.
 Partition partition(const Mesh& mesh, std::uint32_t piece_faces, unsigned threads = 1);
 
 }  // namespace clers
