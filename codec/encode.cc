@@ -24,7 +24,7 @@ Failure<Error> in_mesh(Error error, std::size_t mesh, std::size_t meshes) {
 std::uint32_t piece_faces(const Mesh& mesh, const EncodeOptions& options) {
   const std::size_t faces = mesh.face_count();
   if (options.piece_faces == 0) {
-    // Without places pieces are ragged: they cost a fifth of the connectivity and much time.
+    // Without positions it takes longer to part a mesh than to code it.
     if (faces <= most_faces_whole || !mesh.position()) return 0;
     // An even number of pieces: two threads have the same to do.
     const std::size_t pairs = (faces + 2 * default_piece_faces - 1) / (2 * default_piece_faces);

@@ -29,7 +29,7 @@ struct Partition {
 ///
 /// Vertices at one place are never told apart, so the parts depend on neither the order of faces
 /// nor that of vertices. Without positions cells grow along the faces, and the parts do depend on
-/// that. Precondition: the mesh is consistent. Cost: linear, and n log n in the patches; some 15
+/// that. Precondition: the mesh is consistent. Cost: linear, and n log n in the patches; some 20
 /// bytes a face. Throws std::bad_alloc only.
 Partition partition(const Mesh& mesh, std::uint32_t piece_faces, unsigned threads = 1);
 
