@@ -94,9 +94,9 @@ class Tree {
       depth_ = std::max(depth_, depth);
       return;
     }
-    const auto [axis, most, next, leaf] = nodes_[node];
-    const auto right = std::partition(sample.begin(), sample.end(),
-                                      [&](std::uint32_t v) { return places_.at(axis, v) <= most; });
+    const auto right = std::partition(
+        sample.begin(), sample.end(),
+        [&, here = nodes_[node]](auto v) { return places_.at(here.axis, v) <= here.most; });
     const auto left_size = static_cast<std::size_t>(right - sample.begin());
     nodes_[node].next[0] = static_cast<std::uint32_t>(nodes_.size());
     grow(sample.first(left_size), half, depth + 1);
