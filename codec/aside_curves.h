@@ -46,10 +46,10 @@ class AsideCurves {
   /// The one put last.
   Curve take() {
     const Curve curve = curves_.back();
-    curves_.pop_back();
     const auto inner = inner_.begin() + static_cast<std::ptrdiff_t>(curve.inner);
     outer_.insert(outer_.erase(outer_.begin() + lower(curve.first)), inner, inner_.end());
     inner_.erase(inner, inner_.end());
+    curves_.pop_back();
     return curve;
   }
 
