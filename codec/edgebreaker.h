@@ -263,8 +263,6 @@ class Edgebreaker {
       }
       l = next;
     }
-    const HalfEdge from_v = right_is_smaller ? next_on_boundary(lprev(r)) : lnext(l);
-
     const std::uint32_t w = static_cast<std::uint32_t>(vertices_.size());
     const std::uint32_t triangles = valences ? n * one_triangle : 0;
     vertices_.push_back({triangles | visited, 0});
@@ -275,13 +273,16 @@ class Edgebreaker {
     const std::uint32_t at_left = right_is_smaller ? v : w, at_right = right_is_smaller ? w : v;
     const std::uint32_t label = vertices_[v].label;
 
+    const auto other_curve = [&] {
+      return right_is_smaller ? next_on_boundary(lprev(r)) : lnext(l);
+    };
     if (vertices_[v].state & on_hole) {
       vertices_[v].state &= ~on_hole;
-      const std::uint32_t length = join(from_v, nullptr);
+      const std::uint32_t length = join(other_curve(), nullptr);
       result_.specials.push_back({index, left_gate, SpecialS::hole, 0, length});
     } else if (const std::size_t other = aside_.find(label); other != AsideCurves::none) {
       AsideCurves::Curve& curve = aside_[other];
-      const std::uint32_t length = join(from_v, &curve);
+      const std::uint32_t length = join(other_curve(), &curve);
       result_.specials.push_back({index, left_gate, SpecialS::split, curve.index, length});
     } else {
       vertices_[at_left].label = label;
