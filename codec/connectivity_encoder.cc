@@ -196,7 +196,8 @@ Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorT
 
   result.counts.letters = record.letters;
   const auto count = [&](Clers letter) { return record.letters[static_cast<unsigned>(letter)]; };
-  const std::size_t ids = count(Clers::R) + count(Clers::L) + 3 * count(Clers::E);
+  const auto ids =
+      static_cast<std::size_t>(count(Clers::R) + count(Clers::L) + 3 * count(Clers::E));
 
   const LetterModel chosen = choose_model(record.contexts, level);
   Told told = tell(chosen, record, ids);

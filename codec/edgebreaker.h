@@ -325,8 +325,8 @@ class Edgebreaker {
   /// A decoder finishes holes after all that is inside.
   void number_holes(std::uint32_t inside) {
     if (hole_vertices_.empty()) return;
-    const auto begin = result_.vertices.begin() + inside,
-               end = result_.vertices.begin() + numbered_;
+    const auto begin = result_.vertices.begin() + static_cast<std::ptrdiff_t>(inside);
+    const auto end = result_.vertices.begin() + static_cast<std::ptrdiff_t>(numbered_);
     std::copy_backward(begin, end, end + static_cast<std::ptrdiff_t>(hole_vertices_.size()));
     std::copy(hole_vertices_.begin(), hole_vertices_.end(), begin);
     numbered_ += static_cast<std::uint32_t>(hole_vertices_.size());
