@@ -91,13 +91,15 @@ Told tell(LetterModel model, const Record& record, std::size_t ids) {
   // put(letter, valence) for each, and the answers where they are asked for.
   const auto tell_all = [&](auto put) {
     const std::uint8_t* const contexts = record.contexts.data();
-    for (std::uint32_t i = 0; i < faces; ++i) {
-      const std::uint32_t next = std::min(answers.next_symbol(), faces);
-      for (; i < next; ++i)
-        if (i > 0) put(static_cast<Clers>(contexts[i] & 7), contexts[i] >> 3);
+    const auto put_at = [&](std::uint32_t i) {
+      if (i > 0) put(static_cast<Clers>(contexts[i] & 7), contexts[i] >> 3);
+    };
+    for (std::uint32_t i = 0;; ++i) {
+      for (const std::uint32_t next = std::min(answers.next_symbol(), faces); i < next; ++i)
+        put_at(i);
       if (i == faces) break;
       answers.letter_begins();
-      if (i > 0) put(static_cast<Clers>(contexts[i] & 7), contexts[i] >> 3);
+      put_at(i);
       answers.write_after(i);
     }
   };

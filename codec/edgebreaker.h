@@ -87,8 +87,7 @@ class Edgebreaker {
   }
 
   Traversal run() {
-    find_boundary(unbuilding_.twins());
-    for (const HalfEdge start : firsts_)
+    for (const HalfEdge start : curves_by_length())
       if (fine() && !unbuilding_.is_destroyed(left(start))) component(start, false);
     for (std::uint32_t f = 0; f < faces_ && count_ < faces_ && fine(); ++f) {
       if (unbuilding_.is_destroyed(Face(f))) continue;
@@ -132,9 +131,9 @@ class Edgebreaker {
     return h;
   }
 
-  /// Puts the smallest half-edge of every boundary curve into `firsts_`, longest curve first. Marks
-  /// the vertices on them.
-  void find_boundary(std::span<const HalfEdge> twins) {
+  /// Smallest half-edge of every boundary curve, longest curve first. Marks the vertices on them.
+  std::vector<HalfEdge> curves_by_length() {
+    const std::span<const HalfEdge> twins = unbuilding_.twins();
     struct BoundaryCurve {
       std::uint64_t length;
       HalfEdge first;
@@ -159,8 +158,10 @@ class Edgebreaker {
     std::sort(curves.begin(), curves.end(), [](const BoundaryCurve& a, const BoundaryCurve& b) {
       return a.length != b.length ? a.length > b.length : a.first < b.first;
     });
-    firsts_.reserve(curves.size());
-    for (const BoundaryCurve& c : curves) firsts_.push_back(c.first);
+    std::vector<HalfEdge> firsts;
+    firsts.reserve(curves.size());
+    for (const BoundaryCurve& c : curves) firsts.push_back(c.first);
+    return firsts;
   }
 
   /// Unbuilds the component of a boundary edge.
@@ -340,7 +341,6 @@ class Edgebreaker {
   std::vector<std::uint32_t> org_;
   Unbuilding<Witness> unbuilding_;
   std::vector<VertexState> vertices_;
-  std::vector<HalfEdge> firsts_;
   AsideCurves aside_;
   std::vector<std::uint32_t> hole_vertices_;  ///< of this component, in the order of their numbers
   std::uint64_t steps_left_;

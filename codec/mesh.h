@@ -60,6 +60,15 @@ struct Mesh {
   std::size_t face_count() const {
     return triangles_only() ? corners.size() / 3 : face_sizes.size();
   }
+  /// Values that an attribute of this domain has.
+  std::size_t value_count(Domain domain) const {
+    switch (domain) {
+      case Domain::vertex: return vertex_count;
+      case Domain::corner: return corners.size();
+      case Domain::face: return face_count();
+    }
+    return 0;
+  }
 
   /// The vertex attribute "position", or nullptr.
   const Attribute* position() const {

@@ -19,15 +19,6 @@
 namespace clers {
 namespace {
 
-std::uint64_t values_of(const Mesh& mesh, Domain domain) {
-  switch (domain) {
-    case Domain::vertex: return mesh.vertex_count;
-    case Domain::corner: return mesh.corners.size();
-    case Domain::face: return mesh.face_count();
-  }
-  return 0;
-}
-
 std::uint32_t size_of_face(const Mesh& mesh, std::size_t f) {
   return mesh.triangles_only() ? 3 : mesh.face_sizes[f];
 }
@@ -83,10 +74,10 @@ Expected<Done> check_arrays(const Mesh& mesh) {
     if (a.name.size() > 255)
       return fail(ErrorCode::inconsistent_mesh, "an attribute's name is longer than 255 bytes");
     if (static_cast<unsigned>(a.scalar) >= scalar_count || a.components == 0 ||
-        a.data.size() != values_of(mesh, a.domain) * a.stride())
+        a.data.size() != mesh.value_count(a.domain) * a.stride())
       return fail(ErrorCode::inconsistent_mesh,
                   "attribute \"" + a.name + "\" has " + std::to_string(a.data.size()) +
-                      " bytes of values, expected " + std::to_string(values_of(mesh, a.domain)) +
+                      " bytes of values, expected " + std::to_string(mesh.value_count(a.domain)) +
                       " times " + std::to_string(a.stride()));
   }
   return Done{};
@@ -392,7 +383,7 @@ class MeshEncoder {
       const Attribute& a = mesh_.attributes[i];
       const std::size_t bytes = coded[i]->size();
       info().attributes.push_back(
-          {a.name, a.domain, a.scalar, a.components, values_of(mesh_, a.domain), bytes});
+          {a.name, a.domain, a.scalar, a.components, mesh_.value_count(a.domain), bytes});
       (&a == mesh_.position() ? info().position_bytes : info().attribute_bytes) += bytes;
       put(SectionKind::attribute, std::move(*coded[i]));
     }

@@ -9,15 +9,6 @@
 namespace clers {
 namespace {
 
-std::size_t domain_size(const Mesh& mesh, Domain domain) {
-  switch (domain) {
-    case Domain::vertex: return mesh.vertex_count;
-    case Domain::corner: return mesh.corners.size();
-    case Domain::face: return mesh.face_count();
-  }
-  return 0;
-}
-
 auto key(const Attribute& a) {
   return std::tie(a.domain, a.name, a.scalar, a.components);
 }
@@ -40,7 +31,7 @@ Comparand::Comparand(const Mesh& mesh)
                    [](const Attribute* a, const Attribute* b) { return key(*a) < key(*b); });
   for (std::size_t k = 0; k < attributes.size(); ++k) {
     const Attribute& a = *attributes[k];
-    const std::size_t count = domain_size(mesh, a.domain), stride = a.stride();
+    const std::size_t count = mesh.value_count(a.domain), stride = a.stride();
     std::vector<Colour>& target = a.domain == Domain::vertex   ? colour
                                   : a.domain == Domain::corner ? corner_values
                                                                : face_values;
@@ -67,7 +58,7 @@ std::string objection(const Mesh& mesh) {
   for (const std::uint32_t v : mesh.corners)
     if (v >= mesh.vertex_count) return "uses vertex " + std::to_string(v) + ", which it lacks";
   for (const Attribute& a : mesh.attributes)
-    if (a.data.size() != domain_size(mesh, a.domain) * a.stride())
+    if (a.data.size() != mesh.value_count(a.domain) * a.stride())
       return "has an attribute '" + a.name + "' of the wrong size";
   return {};
 }

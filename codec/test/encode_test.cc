@@ -9,20 +9,12 @@
 
 #include "codec/decode.h"
 #include "codec/inspect.h"
+#include "codec/test/attribute.h"
 #include "codec/test/round_trip.h"
 #include "corpus/generate.h"
 
 namespace clers {
 namespace {
-
-template <class T>
-Attribute make(std::string name, Domain domain, Scalar scalar, unsigned components,
-               const std::vector<T>& values) {
-  Attribute a{std::move(name), domain, scalar, static_cast<std::uint8_t>(components), {}};
-  a.data.resize(values.size() * sizeof(T));
-  if (!values.empty()) std::memcpy(a.data.data(), values.data(), a.data.size());
-  return a;
-}
 
 Attribute random_attribute(std::string name, Domain domain, Scalar scalar, unsigned components,
                            std::size_t count, std::uint64_t seed) {
@@ -48,10 +40,10 @@ TEST(Encode, NothingAndEmptyMeshes) {
   Mesh points;
   points.vertex_count = 5;
   points.name = "points";
-  points.attributes.push_back(
-      make<float>("position", Domain::vertex, Scalar::float32, 3, std::vector<float>(15, 1.5f)));
-  points.attributes.push_back(
-      make<float>("of corners", Domain::corner, Scalar::float32, 2, std::vector<float>()));
+  points.attributes.push_back(test::attribute<float>("position", Domain::vertex, Scalar::float32, 3,
+                                                     std::vector<float>(15, 1.5f)));
+  points.attributes.push_back(test::attribute<float>("of corners", Domain::corner, Scalar::float32,
+                                                     2, std::vector<float>()));
   round_trip(std::span(&points, 1));
 }
 
@@ -104,7 +96,7 @@ TEST(Encode, OddFloatsSurvive) {
   const std::uint32_t payload = 0xffc12345u;
   std::memcpy(&p[4], &payload, 4);
   p[5] = 0.0f;
-  mesh.attributes = {make<float>("position", Domain::vertex, Scalar::float32, 3, p)};
+  mesh.attributes = {test::attribute<float>("position", Domain::vertex, Scalar::float32, 3, p)};
   round_trip(std::span(&mesh, 1));
 }
 

@@ -12,19 +12,11 @@
 #include <vector>
 
 #include "codec/mesh.h"
+#include "codec/test/attribute.h"
 
 namespace clers::test {
 
 using Index = std::uint32_t;
-
-template <class T>
-Attribute attribute(std::string name, Domain domain, Scalar scalar, unsigned components,
-                    const std::vector<T>& values) {
-  Attribute a{std::move(name), domain, scalar, static_cast<std::uint8_t>(components), {}};
-  a.data.resize(values.size() * sizeof(T));
-  if (!values.empty()) std::memcpy(a.data.data(), values.data(), a.data.size());
-  return a;
-}
 
 inline Index size_of_face(const Mesh& m, std::size_t f) {
   return m.triangles_only() ? 3 : m.face_sizes[f];
