@@ -21,15 +21,12 @@ struct EncodedSurface {
   Bytes turned, polygons, stitches;  ///< streams, where there are any
   Bytes connectivity;
   ConnectivityCounts counts;
-  bool settled = false;                  ///< what is decoded will be coded to the same bytes
   Permutation order;                     ///< vertices: only those that the surface has
   std::vector<std::uint32_t> triangles;  ///< of the surface, by new vertices of the mesh, all
                                          ///< running one way; left out if nobody wants them
 };
 
-/// Encodes faces, cutting them where they are no oriented manifold. What is coded, once decoded, is
-/// coded to the same bytes again: where cuts depend on the order of the faces, the faces are coded
-/// in the order that comes of it, until nothing changes.
+/// Encodes faces, cutting them where they are no oriented manifold.
 /// Precondition: every face has three corners or more, repeats no vertex, and vertices are below
 /// vertex_count. Errors: out_of_memory. Throws std::bad_alloc.
 Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
