@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <deque>
 #include <span>
 #include <utility>
 
@@ -77,39 +76,36 @@ class Orientation {
 /// Which three vertices follow each other in some face: a hash table with open addressing.
 class CornerSet {
  public:
+  bool empty() const { return slots_.empty(); }
+
   /// Those with a marked vertex in the middle.
   void fill(const Faces& faces, const std::vector<bool>& marked) {
-    std::vector<std::uint32_t> corners;
+    std::vector<std::uint32_t> keys;
     for (std::uint32_t h = 0; h < faces.org.size(); ++h)
-      if (marked[faces.org[h]]) corners.push_back(h);
-    slots_.assign(std::bit_ceil(2 * corners.size() + 1), 0);
-    for (const std::uint32_t h : corners) {
-      const std::uint64_t k = key(faces.org[faces.prev(h)], faces.org[h], faces.org[faces.next(h)]);
-      std::size_t i = k & (slots_.size() - 1);
-      while (slots_[i] != 0 && slots_[i] != k) i = (i + 1) & (slots_.size() - 1);
-      slots_[i] = k;
-    }
+      if (marked[faces.org[h]])
+        keys.push_back(key(faces.org[faces.prev(h)], faces.org[h], faces.org[faces.next(h)]));
+    slots_.assign(std::bit_ceil(2 * keys.size() + 1), 0);
+    for (const std::uint32_t k : keys) slots_[place(k)] = k;
   }
   bool has(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    const std::uint64_t k = key(a, b, c);
-    std::size_t i = k & (slots_.size() - 1);
-    while (slots_[i] != 0 && slots_[i] != k) i = (i + 1) & (slots_.size() - 1);
-    return slots_[i] == k;
+    return slots_[place(key(a, b, c))] != 0;
   }
 
  private:
-  /// The finaliser of splitmix64 (Steele, Lea and Flood 2014).
-  static std::uint64_t mix(std::uint64_t x) {
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
+  /// Where the key is or would be.
+  std::size_t place(std::uint32_t key) const {
+    std::size_t i = key & (slots_.size() - 1);
+    while (slots_[i] != 0 && slots_[i] != key) i = (i + 1) & (slots_.size() - 1);
+    return i;
   }
-  /// Collisions of 64 bits would only make a cut worse.
-  static std::uint64_t key(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  /// Collisions would only make a cut worse.
+  static std::uint32_t key(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     const auto [low, high] = std::minmax(a, c);
-    return mix((std::uint64_t(low) << 32 | high) + mix(b + 1)) | 1;
+    const std::uint64_t x = (std::uint64_t(low) << 32 | high) * 0x9e3779b97f4a7c15u +
+                            std::uint64_t(b) * 0xd6e8feb86659fd93u;
+    return static_cast<std::uint32_t>((x ^ (x >> 29)) * 0xbf58476d1ce4e5b9u >> 32) | 1;
   }
-  std::vector<std::uint64_t> slots_;
+  std::vector<std::uint32_t> slots_;  ///< 0: free
 };
 
 class Cutter {
@@ -125,21 +121,22 @@ class Cutter {
 
   /// Completes the twins. Returns the faces to reverse.
   std::vector<std::uint32_t> run() {
-    for (std::uint32_t i = 0; i < sides_.size(); ++i) flood(faces_.face(sides_[i]));
+    for (std::uint32_t e = 0; e < ends_.size(); ++e) glue_doubles(e);
     for (std::uint32_t e = 0; e < ends_.size(); ++e)
-      for (std::uint32_t i = begin(e); i < ends_[e]; ++i) edge_[sides_[i]] = e;
+      for (std::uint32_t i = begin(e); i < ends_[e]; ++i)
+        if (!twins_[sides_[i]]) {
+          flood(faces_.face(sides_[i]));
+          edge_[sides_[i]] = e;
+        }
     bool crowded = false;
     for (std::uint32_t e = 0; e < ends_.size(); ++e) {
       const std::uint32_t* side = &sides_[begin(e)];
-      if (ends_[e] - begin(e) > 2)
+      if (is_crowded(e))
         crowded = true;
       else if (unite(side[0], side[1]))
         glue(side[0], side[1]);
     }
-    if (crowded) {
-      mark_corners();
-      join_regions();
-    }
+    if (crowded) join_regions();
     region_reversed_ = orientation_.fewer(faces_of_);
     if (crowded) zip();
 
@@ -173,6 +170,38 @@ class Cutter {
   void glue(std::uint32_t g, std::uint32_t h) {
     twins_[g] = HalfEdge(h);
     twins_[h] = HalfEdge(g);
+  }
+
+  /// The vertex of a face beyond the larger end of one of its sides: of a triangle, the third.
+  std::uint32_t beyond(std::uint32_t h) const {
+    const std::uint32_t next = faces_.next(h);
+    return faces_.org[faces_.org[h] < faces_.org[next] ? faces_.next(next) : faces_.prev(h)];
+  }
+
+  /// Where all faces at an edge are on the same two triples of vertices, as where a surface was
+  /// doubled, they are glued in the order of the faces: one sheet after the other.
+  void glue_doubles(std::uint32_t e) {
+    if (!is_crowded(e)) return;
+    const std::span<const std::uint32_t> sides(&sides_[begin(e)], ends_[e] - begin(e));
+    const std::uint32_t one = beyond(sides[0]);
+    std::uint32_t other = none;
+    for (const std::uint32_t h : sides.subspan(1)) {
+      const std::uint32_t x = beyond(h);
+      if (x == one || x == other) continue;
+      if (other != none) return;
+      other = x;
+    }
+    // Those of `one` that wait for a side, and where to look for it: by direction.
+    waiting_[0].clear();
+    waiting_[1].clear();
+    for (const std::uint32_t h : sides)
+      if (beyond(h) == one) waiting_[same_direction(h, sides[0])].push_back(h);
+    std::size_t next[2] = {0, 0};
+    for (const std::uint32_t g : sides) {
+      if (beyond(g) == one) continue;
+      const bool direction = !same_direction(g, sides[0]);
+      if (next[direction] < waiting_[direction].size()) glue(g, waiting_[direction][next[direction]++]);
+    }
   }
 
   /// Makes a region of what is connected with a face.
@@ -213,7 +242,8 @@ class Cutter {
   void join_regions() {
     const std::uint32_t regions = static_cast<std::uint32_t>(faces_of_.size());
     std::vector<std::uint32_t> end(regions + std::size_t(1)), open;
-    for (const std::uint32_t h : sides_) end[region(h)] += is_open(h);
+    for (const std::uint32_t h : sides_)
+      if (is_open(h)) ++end[region(h)];
     for (std::uint32_t r = 0, sum = 0; r <= regions; ++r) end[r] = sum += end[r];
     open.resize(end[regions]);
     for (std::size_t i = sides_.size(); i-- > 0;)
@@ -247,8 +277,13 @@ class Cutter {
   /// the copies of two vertices.
   std::uint32_t partner(std::uint32_t h) {
     constexpr unsigned patience = 8;
-    std::uint32_t best = none;
-    unsigned best_worth = 0, seen = 0;
+    struct Candidate {
+      std::uint32_t side;
+      bool together;
+    };
+    Candidate candidates[patience];
+    unsigned count = 0, seen = 0;
+    bool other_vertices = false;  // than those of the face
     const Orientation::Place here = orientation_.find(region(h));
     const std::uint32_t e = edge_[h];
     for (std::uint32_t i = begin(e); i < ends_[e] && seen < patience; ++i) {
@@ -256,10 +291,20 @@ class Cutter {
       if (twins_[g]) continue;
       ++seen;
       if (faces_.face(g) == faces_.face(h)) continue;
+      const bool unlike = !alike(g, h);
+      if (other_vertices && !unlike) continue;
       const Orientation::Place there = orientation_.find(region(g));
       if (same_direction(g, h) != (there.reversed != here.reversed)) continue;
-      const bool together = there.set == here.set;
-      const unsigned worth = 1u + together + 4 * straightness(g, h) + (alike(g, h) ? 0u : 16u);
+      if (unlike && !other_vertices) count = 0;
+      other_vertices = unlike;
+      candidates[count++] = {g, there.set == here.set};
+    }
+    if (count == 1) return candidates[0].together ? none : candidates[0].side;
+    std::uint32_t best = none;
+    unsigned best_worth = 0;
+    for (unsigned i = 0; i < count; ++i) {
+      const auto [g, together] = candidates[i];
+      const unsigned worth = 1u + together + 4 * straightness(g, h);
       if (worth > best_worth) {
         best_worth = worth;
         best = together ? none : g;
@@ -272,7 +317,7 @@ class Cutter {
   /// a fan and makes no handle.
   void zip() {
     constexpr unsigned patience = 64;
-    std::deque<std::uint32_t> work;
+    std::vector<std::uint32_t> work;
     for (const std::uint32_t h : sides_)
       if (is_open(h)) work.push_back(h);
     // Sides as they run in the surface, where those of reversed faces run backwards.
@@ -288,9 +333,8 @@ class Cutter {
       for (unsigned i = 0; i < patience && twins_[e]; ++i) e = step(twins_[e].index());
       return twins_[e] ? h : e;
     };
-    while (!work.empty()) {
-      const std::uint32_t h = work.front();
-      work.pop_front();
+    for (std::size_t i = 0; i < work.size(); ++i) {
+      const std::uint32_t h = work[i];
       if (twins_[h]) continue;
       const std::uint32_t after = beside(h, next), before = beside(h, prev);
       const auto fits = [&](std::uint32_t g) {
@@ -298,7 +342,7 @@ class Cutter {
       };
       // The better one, if at both ends there is one.
       std::uint32_t g = fits(after) ? after : before;
-      if (fits(before) && straightness(before, h) > straightness(g, h)) g = before;
+      if (g != before && fits(before) && straightness(before, h) > straightness(g, h)) g = before;
       if (!fits(g)) continue;
       glue(g, h);
       for (const std::uint32_t e : {after, before, beside(g, next), beside(g, prev)})
@@ -308,7 +352,8 @@ class Cutter {
 
   /// 2 less the ends of an edge at which another face lies between these two, as faces of one cell
   /// do: in a grid of cubes, 2 across an edge and 0 round a corner.
-  unsigned straightness(std::uint32_t g, std::uint32_t h) const {
+  unsigned straightness(std::uint32_t g, std::uint32_t h) {
+    if (corners_.empty()) mark_corners();
     const auto away = [&](std::uint32_t side, std::uint32_t end) {
       return faces_
           .org[faces_.org[side] == end ? faces_.prev(side) : faces_.next(faces_.next(side))];
@@ -333,7 +378,7 @@ class Cutter {
   std::vector<std::uint32_t> region_;    ///< of each face, where it has a defective edge
   std::vector<std::uint32_t> faces_of_;  ///< each region: how many
   std::vector<std::uint32_t> edge_;      ///< of each half-edge, if defective
-  std::vector<std::uint32_t> stack_;
+  std::vector<std::uint32_t> stack_, waiting_[2];
   std::vector<bool> region_reversed_;
   Orientation orientation_;
   CornerSet corners_;
