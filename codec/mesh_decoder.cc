@@ -78,7 +78,7 @@ Expected<std::vector<std::uint32_t>> decode_sizes(const PieceSections& sections,
 Expected<Done> stitch(const PieceSections& sections, std::span<std::uint32_t> triangles) {
   rans::Decoder in(sections.stitches.bytes);
   DecodeFrom coder(in);
-  std::vector<std::uint32_t> classes(sections.connectivity.vertices, Stitching::unknown);
+  std::vector<std::uint32_t> classes(sections.connectivity.vertices);
   if (!Stitching(triangles, sections.connectivity.vertices,
                  static_cast<std::uint32_t>(sections.copies))
            .code(coder, classes))

@@ -17,168 +17,184 @@
 #include <span>
 #include <vector>
 
-#include "codec/corners_of.h"
 #include "codec/event_model.h"
 
 namespace clers {
 
-/// Codes the classes of surface vertices. A class is named by its first member: where copies are
-/// few by number, else in the order in which the faces have them. Cost: linear; where copies are few
-/// 4 bytes each, else 12 bytes a vertex and 4 a corner.
+/// Codes the classes of surface vertices. Cost: a pass over vertices and faces, all else by the
+/// vertices on cuts: those that are copies, or have one.
 class Stitching {
  public:
-  static constexpr std::uint32_t unknown = 0xffffffffu;
-
-  /// Whether there are so many copies that it pays to look at the faces.
-  static bool along_faces(std::uint64_t vertices, std::uint64_t copies) {
-    return copies > vertices / 512;
-  }
-  /// Memory that a Stitching takes, in bytes.
-  static std::uint64_t memory(std::uint64_t corners, std::uint64_t vertices, std::uint64_t copies) {
-    return along_faces(vertices, copies) ? CornersOf::memory(corners, vertices) + 9 * vertices
-                                         : vertices / 8;
-  }
-
   /// `corners` are triangles of surface vertices, all below `vertices`, of which there are more
   /// than `copies`.
   Stitching(std::span<const std::uint32_t> corners, std::uint32_t vertices, std::uint32_t copies)
-      : triangles_(corners), copies_(copies), met_(vertices) {
-    if (!along_faces(vertices, copies)) return;
-    corners_ = CornersOf(corners, vertices);
-    ring_.resize(vertices);
-    std::iota(ring_.begin(), ring_.end(), 0u);
-    // Around an interior vertex, every neighbour comes next as often as it came before.
-    turns_.resize(vertices);
-    for (std::size_t h = 0; h < corners.size(); h += 3) {
-      const std::uint32_t a = corners[h], b = corners[h + 1], c = corners[h + 2];
-      turns_[a] += b - c;
-      turns_[b] += c - a;
-      turns_[c] += a - b;
-    }
+      : triangles_(corners), vertices_(vertices), copies_(copies) {}
+
+  /// Memory that a Stitching takes at most, in bytes.
+  static std::uint64_t memory(std::uint64_t corners, std::uint64_t vertices, std::uint64_t copies) {
+    const std::uint64_t on_cuts = std::min(vertices, 2 * copies);
+    return 5 * vertices + 24 * on_cuts + 16 * std::min(2 * corners, 2 * most_listed * on_cuts);
   }
 
-  /// A Coder that encodes gets the class of each vertex; one that decodes fills them in. False: what
-  /// was decoded names no class, or there are not `copies` copies.
+  /// A Coder that encodes gets classes[v], the least vertex of the class of v; one that decodes
+  /// fills them in. False: what was decoded names no class, or there are not `copies` copies.
   template <class Coder>
   bool code(Coder& coder, std::span<std::uint32_t> classes) {
-    return along_faces(met_.size(), copies_) ? code_along_faces(coder, classes)
-                                             : code_by_number(coder, classes);
+    if constexpr (Coder::encodes) mark(classes);
+    if (!code_marks(coder)) return false;
+    if constexpr (!Coder::encodes) std::iota(classes.begin(), classes.end(), 0u);
+    list_neighbours();
+    const std::uint32_t count = static_cast<std::uint32_t>(on_cut_.size());
+    class_.resize(count);
+    ring_.resize(count);
+    std::uint32_t copies = 0;
+    unsigned before = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::uint32_t v = on_cut_[i];
+      class_[i] = ring_[i] = i;
+      const bool copy = coder.bit(copy_[before], classes[v] != v);
+      before = (before << 1 | copy) & 7;
+      if (!copy) continue;
+      if (copies++ == copies_) return false;
+      const std::uint32_t c = code_class(coder, i, place_[classes[v]]);
+      if (c >= i || class_[c] != c) return false;
+      class_[i] = last_ = c;
+      std::swap(ring_[i], ring_[c]);
+      classes[v] = on_cut_[c];
+    }
+    return copies == copies_;
   }
 
  private:
+  static constexpr std::uint32_t none = 0xffffffffu;
+  static constexpr unsigned most_listed = 16;  ///< neighbours of a vertex, so that hubs cost no more
+
+  void mark(std::span<const std::uint32_t> classes) {
+    marks_.resize(vertices_);
+    for (std::uint32_t v = 0; v < vertices_; ++v)
+      if (classes[v] != v) marks_[v] = marks_[classes[v]] = 1;
+  }
+
+  /// Which vertices are on cuts: by the distance to the next one where there were none lately, one
+  /// by one where there were.
   template <class Coder>
-  bool code_by_number(Coder& coder, std::span<std::uint32_t> classes) {
-    const std::uint32_t vertices = static_cast<std::uint32_t>(met_.size());
-    std::uint32_t last = 0, v = 0;
-    for (std::uint32_t left = copies_;; --left, ++v) {
-      std::uint32_t copy = v;  // the next one, or the end
-      if (left == 0) {
-        copy = vertices;
-      } else {
+  bool code_marks(Coder& coder) {
+    marks_.resize(vertices_);
+    on_cut_.reserve(std::min<std::size_t>(vertices_, 2 * std::size_t(copies_)));
+    unsigned lately = 0;
+    for (std::uint32_t v = 0; v < vertices_; ++v) {
+      if (lately == 0) {
+        std::uint32_t gap = 0;
         if constexpr (Coder::encodes)
-          while (classes[copy] == copy) ++copy;
-        const std::uint32_t gap = gap_.code(coder, copy - v);
-        if (gap >= vertices - v) return false;
-        copy = v + gap;
+          while (v + gap < vertices_ && !marks_[v + gap]) ++gap;
+        gap = gap_.code(coder, gap);
+        if (gap > vertices_ - v) return false;
+        v += gap;
+        if (v == vertices_) return true;
+        marks_[v] = 1;
+      } else {
+        marks_[v] = coder.bit(mark_[lately], marks_[v]);
       }
-      for (; v < copy; ++v) {
-        classes[v] = v;
-        met_[v] = true;
-      }
-      if (left == 0) return true;
-      const std::uint32_t c = code_from(coder, far_, last, classes[v]);
-      if (c >= v || !met_[c]) return false;
-      classes[v] = last = c;
+      lately = (lately << 1 | marks_[v]) & 15;
+      if (!marks_[v]) continue;
+      if (on_cut_.size() == 2 * std::uint64_t(copies_)) return false;
+      on_cut_.push_back(v);
+    }
+    return true;
+  }
+
+  /// Neighbours of vertices on cuts that are on cuts too.
+  void list_neighbours() {
+    const std::uint32_t count = static_cast<std::uint32_t>(on_cut_.size());
+    place_.resize(vertices_);
+    for (std::uint32_t i = 0; i < count; ++i) place_[on_cut_[i]] = i;
+    first_.assign(count, none);
+    listed_.assign(count, 0);
+    const auto list = [&](std::uint32_t a, std::uint32_t b) {
+      if (!marks_[a] || !marks_[b]) return;
+      const std::uint32_t i = place_[a];
+      if (listed_[i] == most_listed) return;
+      ++listed_[i];
+      neighbours_.push_back({place_[b], first_[i]});
+      first_[i] = static_cast<std::uint32_t>(neighbours_.size() - 1);
+    };
+    for (std::size_t h = 0; h < triangles_.size(); h += 3) {
+      const std::uint32_t a = triangles_[h], b = triangles_[h + 1], c = triangles_[h + 2];
+      if (marks_[a] + marks_[b] + marks_[c] < 2) continue;
+      list(a, b);
+      list(b, a);
+      list(b, c);
+      list(c, b);
+      list(c, a);
+      list(a, c);
     }
   }
 
-  template <class Coder>
-  bool code_along_faces(Coder& coder, std::span<std::uint32_t> classes) {
-    std::uint32_t left = copies_;
-    for (std::size_t i = 0; i < triangles_.size(); i += 3) {
-      const std::span<const std::uint32_t> face = triangles_.subspan(i, 3);
-      for (const std::uint32_t v : face) {
-        if (met_[v]) continue;
-        std::array<std::uint32_t, 2> known{};
-        unsigned count = 0, copies = 0;
-        for (const std::uint32_t w : face) {
-          if (!met_[w]) continue;
-          copies += classes[w] != w;
-          known[count++] = w;
-        }
-        const unsigned context = (is_interior(v) * 3 + count) * 3 + copies;
-        const bool copy = coder.bit(copy_[context * 2 + last_was_copy_], classes[v] != v);
-        last_was_copy_ = copy;
-        if (!copy) {
-          classes[v] = v;
-        } else {
-          if (left-- == 0) return false;
-          const std::uint32_t c = code_class(coder, v, std::span(known).first(count), classes);
-          if (c >= met_.size() || !met_[c] || classes[c] != c) return false;
-          classes[v] = last_ = c;
-          std::swap(ring_[v], ring_[c]);
-        }
-        met_[v] = true;
-      }
-    }
-    return left == 0;
+  template <class Visit>
+  void for_each_neighbour(std::uint32_t i, Visit visit) const {
+    for (std::uint32_t k = first_[i]; k != none; k = neighbours_[k].next) visit(neighbours_[k].place);
   }
 
-  bool is_interior(std::uint32_t v) const { return turns_[v] == 0; }
-
-  static constexpr unsigned most_looked_at = 8;  ///< triangles of a vertex, so that hubs cost no more
-
-  /// Classes beside other members of the classes of the known neighbours: first what is beside two
-  /// of them.
-  void gather(std::span<const std::uint32_t> known, std::span<const std::uint32_t> classes) {
+  /// Classes beside other members of the classes of known neighbours: first what is beside two of
+  /// them.
+  void gather(std::uint32_t i) {
     candidates_ = both_ = 0;
-    for (const std::uint32_t w : known) {
-      const unsigned end = candidates_;
+    std::array<std::uint32_t, 2> known{none, none};
+    unsigned count = 0;
+    for_each_neighbour(i, [&](std::uint32_t w) {
+      if (w >= i || count == 2 || ring_[w] == w || class_[w] == known[0]) return;
+      known[count] = class_[w];
       unsigned members = 4;
+      const unsigned end = count == 1 ? candidates_ : 0;
       for (std::uint32_t m = ring_[w]; m != w && members > 0; m = ring_[m], --members)
-        corners_.for_each_neighbour(m, most_looked_at, [&](std::uint32_t x) {
-          if (!met_[x]) return;
-          const std::uint32_t c = classes[x];
-          for (const std::uint32_t k : known)
-            if (c == classes[k]) return;
-          const auto at = std::find(candidate_.begin(), candidate_.begin() + candidates_, c);
-          const unsigned i = static_cast<unsigned>(at - candidate_.begin());
-          if (i == candidates_) {
+        for_each_neighbour(m, [&](std::uint32_t x) {
+          if (x >= i) return;
+          const std::uint32_t c = class_[x];
+          if (c == known[0] || c == known[1]) return;
+          unsigned k = 0;
+          while (k < candidates_ && candidate_[k] != c) ++k;
+          if (k == candidates_) {
             if (candidates_ < candidate_.size()) candidate_[candidates_++] = c;
-          } else if (i < end && i >= both_) {
-            std::swap(candidate_[i], candidate_[both_++]);
+          } else if (k < end && k >= both_) {
+            std::swap(candidate_[k], candidate_[both_++]);
           }
         });
-    }
+      ++count;
+    });
   }
 
   template <class Coder>
-  std::uint32_t code_class(Coder& coder, std::uint32_t v, std::span<const std::uint32_t> known,
-                           std::span<const std::uint32_t> classes) {
-    const std::uint32_t value = classes[v];
-    gather(known, classes);
-    for (unsigned i = 0; i < candidates_; ++i) {
-      const bool beside_both = i < both_;
-      const unsigned rank = std::min(beside_both ? i : i - both_, 7u);
-      const std::uint32_t c = candidate_[i];
-      const bool has_copies = ring_[c] != c;
-      if (coder.bit(taken_[beside_both][is_interior(v)][has_copies][rank], value == c)) return c;
+  std::uint32_t code_class(Coder& coder, std::uint32_t i, std::uint32_t value) {
+    gather(i);
+    for (unsigned k = 0; k < candidates_; ++k) {
+      const std::uint32_t c = candidate_[k];
+      const bool beside_both = k < both_, has_copies = ring_[c] != c;
+      const unsigned rank = std::min(beside_both ? k : k - both_, 7u);
+      if (coder.bit(taken_[beside_both][has_copies][rank], value == c)) return c;
     }
     return code_from(coder, far_, last_, value);
   }
 
+  struct Neighbour {
+    std::uint32_t place, next;
+  };
+
   std::span<const std::uint32_t> triangles_;
-  const std::uint32_t copies_;
-  std::vector<bool> met_;
-  CornersOf corners_;
-  std::vector<std::uint32_t> turns_;  ///< 0: interior, as far as a context needs to know
-  std::vector<std::uint32_t> ring_;   ///< members of each class, as far as they are known
+  const std::uint32_t vertices_, copies_;
+  std::vector<std::uint8_t> marks_;    ///< of each vertex: it is on a cut
+  std::vector<std::uint32_t> on_cut_;  ///< the vertices on cuts, ascending
+  std::vector<std::uint32_t> place_;   ///< in `on_cut_`, of each vertex there
+  // By place:
+  std::vector<std::uint32_t> first_;   ///< of the list of neighbours
+  std::vector<std::uint8_t> listed_;   ///< how many neighbours
+  std::vector<std::uint32_t> class_;   ///< place of the least vertex
+  std::vector<std::uint32_t> ring_;    ///< the next known member of the class
+  std::vector<Neighbour> neighbours_;
   std::array<std::uint32_t, 24> candidate_{};
   unsigned candidates_ = 0, both_ = 0;
   std::uint32_t last_ = 0;
-  bool last_was_copy_ = false;
-  BitModel copy_[36];
-  BitModel taken_[2][2][2][8];
+  BitModel mark_[16], copy_[8];
+  BitModel taken_[2][2][8];
   NumberModel far_, gap_;
 };
 

@@ -77,17 +77,12 @@ void put_stitches(const SurfaceFaces& surface, std::span<const std::uint32_t> ve
   const auto point = [&](std::uint32_t v) { return v < inputs ? v : cut.copied[v - inputs]; };
   out.copies = cut.copied.size();
   out.features |= feature::copies;
-  std::vector<std::uint32_t> classes(count);
-  std::vector<std::uint32_t> first(inputs, Stitching::unknown);
-  const auto meet = [&](std::uint32_t v) {
+  std::vector<std::uint32_t> classes(count), first(inputs, Vertex::null_index);
+  for (std::uint32_t v = 0; v < count; ++v) {
     std::uint32_t& c = first[point(vertices[v])];
-    if (c == Stitching::unknown) c = v;
+    if (c == Vertex::null_index) c = v;
     classes[v] = c;
-  };
-  if (Stitching::along_faces(count, out.copies))
-    for (const std::uint32_t v : out.triangles) meet(v);
-  else
-    for (std::uint32_t v = 0; v < count; ++v) meet(v);
+  }
   rans::Encoder stream;
   EncodeTo coder(stream);
   Stitching(out.triangles, count, static_cast<std::uint32_t>(out.copies)).code(coder, classes);
