@@ -183,16 +183,21 @@ class MeshEncoder {
     put_u8(payload, coded.features | (loose_.empty() ? 0 : feature::loose));
     put_varint(payload, mesh_.vertex_count - surface_vertices_);
     if (coded.features & feature::turned) {
-      put_varint(payload, coded.turned_runs);
+      put_varint(payload, coded.runs.size());
       put_stream(payload, coded.turned);
     }
     if (coded.features & feature::polygons) {
-      put_varint(payload, mesh_.face_count() - loose_.size());
+      put_varint(payload, mesh_.face_count() - loose_.size() - coded.repeated_faces);
       put_stream(payload, coded.polygons);
     }
     if (coded.features & feature::copies) {
       put_varint(payload, coded.copies);
       put_stream(payload, coded.stitches);
+    }
+    if (coded.features & feature::repeats) {
+      put_varint(payload, coded.repeated_faces);
+      put_varint(payload, coded.repeated_corners);
+      put_stream(payload, coded.repeats);
     }
     put_bytes(payload, loose);
     put_bytes(payload, coded.connectivity);
@@ -347,7 +352,8 @@ class MeshEncoder {
     info().cuts = {coded.turned_faces, coded.copies, loose_.size()};
     info().clers = in_word_order(coded.counts.letters);
     info().polygon_bytes = coded.polygons.size();
-    info().stitching_bytes = coded.turned.size() + coded.stitches.size() + loose_bytes_;
+    info().stitching_bytes =
+        coded.turned.size() + coded.stitches.size() + coded.repeats.size() + loose_bytes_;
     MeshShape& shape = info().shape;
     shape.vertices = mesh_.vertex_count;
     shape.faces = mesh_.face_count();

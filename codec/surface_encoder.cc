@@ -7,6 +7,7 @@
 #include "codec/cut.h"
 #include "codec/mesh_features.h"
 #include "codec/polygons.h"
+#include "codec/repeated_faces.h"
 #include "codec/stitching.h"
 #include "codec/turned_faces.h"
 
@@ -43,9 +44,9 @@ void put_turned(const Faces& faces, std::span<const std::uint32_t> reversed, Enc
     if (!turned[out.order.faces[i]]) continue;
     const std::uint32_t first = i;
     while (i < out.order.faces.size() && turned[out.order.faces[i]]) ++i;
-    model.code(coder, {first, i - first}, end);
+    out.runs.push_back({first, i - first});
+    model.code(coder, out.runs.back(), end);
     end = i;
-    ++out.turned_runs;
     out.turned_faces += i - first;
   }
   out.features |= feature::turned;
@@ -144,14 +145,10 @@ Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, bo
   return out;
 }
 
-}  // namespace
-
-Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
-                                        std::span<const std::uint32_t> sizes,
-                                        std::uint32_t vertex_count, int level,
-                                        bool with_triangles) {
-  const Faces faces(corners, sizes);
-  Adjacency adjacency = match_edges(faces, vertex_count);
+/// Encodes faces that repeat none.
+Expected<EncodedSurface> encode_distinct(const Faces& faces, std::span<const std::uint32_t> sizes,
+                                         Adjacency adjacency, std::uint32_t vertex_count, int level,
+                                         bool with_triangles) {
   if (adjacency.ends.empty()) {
     // Whether a vertex has several fans shows while the surface is unbuilt, and costs nothing till
     // then.
@@ -163,6 +160,90 @@ Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
   return encode_faces({Faces(surface.corners, sizes), surface.twins,
                        vertex_count + static_cast<std::uint32_t>(surface.copied.size()), &surface},
                       level, with_triangles);
+}
+
+/// Faces without those that repeat others.
+struct DistinctFaces {
+  DistinctFaces(const Faces& all, std::span<const Repeat> repeats) {
+    const std::size_t count = all.count() - repeats.size();
+    faces.reserve(count);
+    if (!all.triangles()) sizes.reserve(count);
+    auto next = repeats.begin();
+    for (std::uint32_t f = 0; f < all.count(); ++f) {
+      if (next != repeats.end() && next->face == f) {
+        ++next;
+        continue;
+      }
+      const auto cycle = all.cycle(f);
+      corners.insert(corners.end(), cycle.begin(), cycle.end());
+      if (!all.triangles()) sizes.push_back(all.size(f));
+      faces.push_back(f);
+    }
+  }
+  std::vector<std::uint32_t> faces, corners, sizes;
+};
+
+/// Appends the faces that repeat others. `out` has those that do not, by their numbers in `all`.
+void put_repeats(const Faces& all, std::span<const Repeat> repeats, EncodedSurface& out) {
+  const auto surface_faces = static_cast<std::uint32_t>(out.order.faces.size());
+  std::vector<std::uint32_t> place(all.count());
+  for (std::uint32_t i = 0; i < surface_faces; ++i) place[out.order.faces[i]] = i;
+  std::vector<bool> turned(surface_faces);
+  for (const TurnedRun& run : out.runs)
+    for (std::uint32_t i = 0; i < run.count; ++i) turned[run.first + i] = true;
+
+  struct Coming {
+    RepeatModel::Code code;
+    std::uint32_t face, first_corner;
+  };
+  std::vector<Coming> coming;
+  coming.reserve(repeats.size());
+  for (const auto& [face, base] : repeats) {
+    const std::uint32_t at = place[base], size = all.size(face);
+    const auto cycle = all.cycle(face), base_cycle = all.cycle(base);
+    const std::uint32_t first = out.order.first_corners[at];
+    const auto begin = static_cast<std::uint32_t>(
+        std::find(cycle.begin(), cycle.end(), base_cycle[first]) - cycle.begin());
+    const bool same = cycle[(begin + 1) % size] == base_cycle[(first + 1) % size];
+    coming.push_back({{at, same == turned[at]}, face, begin});
+  }
+  std::sort(coming.begin(), coming.end(), [](const Coming& a, const Coming& b) {
+    if (a.code.base != b.code.base) return a.code.base < b.code.base;
+    return a.code.reversed != b.code.reversed ? b.code.reversed : a.face < b.face;
+  });
+  rans::Encoder stream;
+  EncodeTo coder(stream);
+  RepeatModel model;
+  for (const Coming& c : coming) {
+    model.code(coder, c.code);
+    out.order.faces.push_back(c.face);
+    out.order.first_corners.push_back(c.first_corner);
+    out.repeated_corners += all.size(c.face);
+  }
+  stream.finish(out.repeats);
+  out.repeated_faces = repeats.size();
+  out.features |= feature::repeats;
+}
+
+}  // namespace
+
+Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
+                                        std::span<const std::uint32_t> sizes,
+                                        std::uint32_t vertex_count, int level,
+                                        bool with_triangles) {
+  const Faces all(corners, sizes);
+  Adjacency adjacency = match_edges(all, vertex_count);
+  const std::vector<Repeat> repeats = find_repeats(all, adjacency);
+  if (repeats.empty())
+    return encode_distinct(all, sizes, std::move(adjacency), vertex_count, level, with_triangles);
+  const DistinctFaces distinct(all, repeats);
+  const Faces faces(distinct.corners, distinct.sizes);
+  auto coded = encode_distinct(faces, distinct.sizes, match_edges(faces, vertex_count),
+                               vertex_count, level, with_triangles);
+  if (!coded) return coded;
+  for (std::uint32_t& f : coded->order.faces) f = distinct.faces[f];
+  put_repeats(all, repeats, *coded);
+  return coded;
 }
 
 }  // namespace clers

@@ -11,14 +11,17 @@
 #include "codec/encode.h"
 #include "codec/error.h"
 #include "codec/faces.h"
+#include "codec/turned_faces.h"
 
 namespace clers {
 
 /// A coded surface, and how it numbers what it is made of.
 struct EncodedSurface {
   std::uint32_t features = 0;
-  std::uint64_t copies = 0, turned_runs = 0, turned_faces = 0;
-  Bytes turned, polygons, stitches;  ///< streams, where there are any
+  std::uint64_t copies = 0, turned_faces = 0;
+  std::uint64_t repeated_faces = 0, repeated_corners = 0;
+  std::vector<TurnedRun> runs;  ///< of turned faces
+  Bytes turned, polygons, stitches, repeats;  ///< streams, where there are any
   Bytes connectivity;
   ConnectivityCounts counts;
   Permutation order;                     ///< vertices: only those that the surface has
