@@ -43,7 +43,6 @@ class StreamingMatcher {
     std::vector<Cell>().swap(cells_);
     gather_misfits();
     match_spilled();
-    order_defects();
     return std::move(result_);
   }
 
@@ -135,7 +134,7 @@ class StreamingMatcher {
       Slot& slot = cells_[low].slots[at];
       if (slot.awaited == none || slot.awaited == key) return &slot;
       if (slot.has_edge_of(key)) {
-        misfits_.push_back({slot.half_edge, h});
+        misfits_.push_back(std::uint64_t(slot.half_edge) << 32 | h);
         return nullptr;
       }
     }
@@ -151,23 +150,33 @@ class StreamingMatcher {
   /// Edges with misfits lose the pair that was matched.
   void gather_misfits() {
     std::vector<HalfEdge>& twins = result_.twins;
-    for (auto& [edge, side] : misfits_) edge = std::min(edge, twins[edge].index());
+    // The first side of an edge is one of the pair, since it was there first.
+    for (std::uint64_t& m : misfits_) {
+      const std::uint32_t side = static_cast<std::uint32_t>(m >> 32);
+      m = std::uint64_t(std::min(side, twins[side].index())) << 32 | (m & 0xffffffffu);
+    }
     std::sort(misfits_.begin(), misfits_.end());
+    result_.sides.reserve(2 * misfits_.size());
     for (std::size_t i = 0; i < misfits_.size();) {
-      const std::uint32_t first = misfits_[i].first;
+      const std::uint32_t first = static_cast<std::uint32_t>(misfits_[i] >> 32);
       const HalfEdge second = twins[first];
-      twins[first] = HalfEdge();
-      if (second) twins[second.index()] = HalfEdge();
-      const std::size_t begin = sides_.size();
-      sides_.push_back(first);
-      if (second) sides_.push_back(second.index());
-      for (; i < misfits_.size() && misfits_[i].first == first; ++i)
-        sides_.push_back(misfits_[i].second);
-      add_defect(begin);
+      const std::size_t begin = result_.sides.size();
+      result_.sides.push_back(first);
+      for (; i < misfits_.size() && misfits_[i] >> 32 == first; ++i)
+        result_.sides.push_back(static_cast<std::uint32_t>(misfits_[i]));
+      if (second) {
+        twins[first] = twins[second.index()] = HalfEdge();
+        const auto place = std::upper_bound(
+            result_.sides.begin() + static_cast<std::ptrdiff_t>(begin), result_.sides.end(),
+            second.index());
+        result_.sides.insert(place, second.index());
+      }
+      result_.ends.push_back(static_cast<std::uint32_t>(result_.sides.size()));
     }
   }
 
   void match_spilled() {
+    const std::size_t streamed = result_.ends.size();
     std::sort(spilled_.begin(), spilled_.end());
     for (std::size_t i = 0, j; i < spilled_.size(); i = j) {
       j = i + 1;
@@ -177,49 +186,41 @@ class StreamingMatcher {
         result_.twins[g] = HalfEdge(h);
         result_.twins[h] = HalfEdge(g);
       } else if (j > i + 1) {
-        const std::size_t begin = sides_.size();
-        for (std::size_t k = i; k < j; ++k) sides_.push_back(spilled_[k].second);
-        add_defect(begin);
+        for (std::size_t k = i; k < j; ++k) result_.sides.push_back(spilled_[k].second);
+        result_.ends.push_back(static_cast<std::uint32_t>(result_.sides.size()));
       }
     }
+    if (result_.ends.size() > streamed) order_defects();
   }
 
-  /// The sides from `begin` on are those of one edge.
-  void add_defect(std::size_t begin) {
-    std::sort(sides_.begin() + static_cast<std::ptrdiff_t>(begin), sides_.end());
-    defects_.push_back({sides_[begin], static_cast<std::uint32_t>(begin)});
-  }
-
+  /// Brings edges into the order of their first sides.
   void order_defects() {
-    if (defects_.empty()) return;
-    std::vector<std::uint32_t> count(defects_.size());
-    for (std::size_t i = 0; i < defects_.size(); ++i)
-      count[i] = static_cast<std::uint32_t>(
-          (i + 1 < defects_.size() ? defects_[i + 1].second : sides_.size()) - defects_[i].second);
-    std::vector<std::uint32_t> order(defects_.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return defects_[a].first < defects_[b].first;
-    });
-    result_.sides.reserve(sides_.size());
-    result_.ends.reserve(order.size());
-    for (const std::uint32_t i : order) {
-      const auto begin = sides_.begin() + defects_[i].second;
-      result_.sides.insert(result_.sides.end(), begin, begin + count[i]);
+    struct Edge {
+      std::uint32_t first, begin, end;
+    };
+    std::vector<Edge> edges;
+    edges.reserve(result_.ends.size());
+    for (std::uint32_t begin = 0; const std::uint32_t end : result_.ends) {
+      edges.push_back({result_.sides[begin], begin, end});
+      begin = end;
+    }
+    std::sort(edges.begin(), edges.end(),
+              [](const Edge& a, const Edge& b) { return a.first < b.first; });
+    const std::vector<std::uint32_t> sides = std::move(result_.sides);
+    result_.sides.clear();
+    result_.ends.clear();
+    for (const Edge& e : edges) {
+      result_.sides.insert(result_.sides.end(), sides.begin() + e.begin, sides.begin() + e.end);
       result_.ends.push_back(static_cast<std::uint32_t>(result_.sides.size()));
     }
   }
-
-  using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
   const Faces& faces_;
   std::span<const std::uint32_t> org_;
   const std::uint32_t nobody_;  ///< one past the last half-edge: whose twin nobody asks for
   std::vector<Cell> cells_;     ///< by smaller end
-  std::vector<Pair> misfits_;   ///< a side of the edge, and one that does not fit it
+  std::vector<std::uint64_t> misfits_;  ///< a side of the edge << 32 | one that does not fit it
   std::vector<std::pair<std::uint64_t, std::uint32_t>> spilled_;  ///< ends of the edge, half-edge
-  std::vector<std::uint32_t> sides_;
-  std::vector<Pair> defects_;  ///< first side, and where it is in `sides_`
   Adjacency result_;
 };
 

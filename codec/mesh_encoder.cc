@@ -208,7 +208,7 @@ class MeshEncoder {
   bool plain_is_smaller(std::size_t bytes) const {
     // Never seen to take less than a bit a corner but for a few.
     if (8 * bytes < mesh_.corners.size() / 2) return false;
-    constexpr std::size_t sample = 4096;
+    constexpr std::size_t sample = 1024;
     const std::size_t faces = mesh_.face_count();
     if (faces > 4 * sample && plain_payload(sample).size() > bytes / (faces / sample)) return false;
     return plain_payload(faces).size() < bytes;

@@ -67,20 +67,31 @@ void keep_doubled(const Faces& faces, const Adjacency& adjacency, std::vector<Re
 
 std::vector<Repeat> find_repeats(const Faces& faces, const Adjacency& adjacency) {
   std::vector<Repeat> repeats;
-  std::vector<std::uint32_t> keys;
+  struct Key {
+    std::uint32_t side, beyond;
+  };
+  std::vector<Key> keys;
+  const auto differ = [&](const Key& a, const Key& b) {
+    if (a.beyond != b.beyond) return a.beyond < b.beyond ? -1 : 1;
+    return faces.triangles() ? 0 : Cycle(faces, a.side).compare(Cycle(faces, b.side));
+  };
   for (std::uint32_t e = 0, begin = 0; e < adjacency.ends.size(); begin = adjacency.ends[e++]) {
     keys.clear();
-    for (std::uint32_t i = begin; i < adjacency.ends[e]; ++i)
-      if (is_key(faces, adjacency.sides[i])) keys.push_back(adjacency.sides[i]);
+    for (std::uint32_t i = begin; i < adjacency.ends[e]; ++i) {
+      const std::uint32_t h = adjacency.sides[i], next = faces.next(h);
+      const std::uint32_t a = faces.org[h], b = faces.org[next];
+      const std::uint32_t x = faces.org[a < b ? faces.next(next) : faces.prev(h)];
+      if (faces.triangles() ? x > a && x > b : is_key(faces, h)) keys.push_back({h, x});
+    }
     if (keys.size() < 2) continue;
-    std::sort(keys.begin(), keys.end(), [&](std::uint32_t g, std::uint32_t h) {
-      const int order = Cycle(faces, g).compare(Cycle(faces, h));
-      return order != 0 ? order < 0 : g < h;
+    std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
+      const int order = differ(a, b);
+      return order != 0 ? order < 0 : a.side < b.side;
     });
     for (std::size_t i = 0; i < keys.size();) {
       const std::size_t base = i;
-      while (++i < keys.size() && Cycle(faces, keys[base]).compare(Cycle(faces, keys[i])) == 0)
-        repeats.push_back({faces.face(keys[i]), faces.face(keys[base])});
+      while (++i < keys.size() && differ(keys[base], keys[i]) == 0)
+        repeats.push_back({faces.face(keys[i].side), faces.face(keys[base].side)});
     }
   }
   std::sort(repeats.begin(), repeats.end(),
