@@ -349,7 +349,7 @@ class MeshEncoder {
 
   void describe(const EncodedSurface& coded) {
     info().name = mesh_.name;
-    info().cuts = {coded.turned_faces, coded.copies, loose_.size()};
+    info().cuts = {coded.turned_faces, coded.copies, coded.repeated_faces, loose_.size()};
     info().clers = in_word_order(coded.counts.letters);
     info().polygon_bytes = coded.polygons.size();
     info().stitching_bytes =
