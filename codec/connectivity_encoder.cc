@@ -169,7 +169,7 @@ Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorT
                                  : Edgebreaker<Witness, false>(surface, witness).run();
   if (traversal.trouble == Traversal::Trouble::several_fans)  // a surface has a vertex for each
     return fail(ErrorCode::nonmanifold_vertex, "the faces of a vertex form more than one fan");
-  if (traversal.handles && !place_handles(traversal, surface.twins))
+  if (traversal.handles && !place_handles(traversal))
     return fail(ErrorCode::internal, "handles that are not where they were");
 
   std::optional<Record> built;

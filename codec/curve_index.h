@@ -43,23 +43,21 @@ class CurveIndex {
     std::uint32_t v = x;
     for (;;) {
       if (const Sequences::Node known = block_of_[v]) {
-        const Sequences::Node end = sequences_.last(starting_with(known, v));
-        curve = sequences_.join(curve, end);
-        v = ends_[end].last;
-      } else {
-        const Sequences::Node block = make(v);
-        std::uint32_t count = 1;
-        for (std::uint32_t before; v != y && count < block_size; ++count) {
-          before = links_[v].prev;
-          if (block_of_[before]) break;
-          v = before;
-          block_of_[v] = block;
+        Curve part = starting_with(known, v);
+        if (walked_.count > 0 && walked_.count + sequences_.places(part) <= block_size) {
+          ends_[part].first = walked_.vertices[0];
+          add_walked(part);
+        } else {
+          curve = put_walked(curve);
         }
-        sequences_.resize(block, count);
-        ends_[block].last = v;
-        curve = sequences_.join(curve, block);
+        part = sequences_.last(part);
+        curve = sequences_.join(curve, part);
+        v = ends_[part].last;
+      } else {
+        walked_.vertices[walked_.count++] = v;
+        if (walked_.count == block_size) curve = put_walked(curve);
       }
-      if (v == y) return curve;
+      if (v == y) return put_walked(curve);
       v = links_[v].prev;
     }
   }
@@ -115,11 +113,29 @@ class CurveIndex {
   }
 
   Sequences::Node make(std::uint32_t first) {
-    const Sequences::Node n = sequences_.make(1);
+    const Sequences::Node n = sequences_.make(0);
     if (n >= ends_.size()) ends_.resize(n + std::size_t(1));
     ends_[n].first = first;
-    block_of_[first] = n;
     return n;
+  }
+
+  /// What was walked becomes part of the block that is a tree's root.
+  void add_walked(Sequences::Node block) {
+    for (std::uint32_t i = 0; i < walked_.count; ++i) block_of_[walked_.vertices[i]] = block;
+    sequences_.resize(block, sequences_.places(block) + walked_.count);
+    walked_.count = 0;
+  }
+
+  /// What was walked becomes the end of a curve: part of its last block, or a new one.
+  Curve put_walked(Curve curve) {
+    if (walked_.count == 0) return curve;
+    if (curve) curve = sequences_.last(curve);
+    Curve block = curve;
+    if (!curve || sequences_.places(curve) + walked_.count > block_size)
+      block = make(walked_.vertices[0]);
+    ends_[block].last = walked_.vertices[walked_.count - 1];
+    add_walked(block);
+    return block == curve ? curve : sequences_.join(curve, block);
   }
 
   /// The vertices in front of v are on this curve no more.
@@ -150,19 +166,22 @@ class CurveIndex {
     ends_[c].last = last;
     std::uint32_t v = links_[last].prev;
     const Sequences::Node block = make(v);
-    while (v != end) {
-      v = links_[v].prev;
-      block_of_[v] = block;
-    }
     sequences_.resize(block, places - within);
     ends_[block].last = end;
+    for (block_of_[v] = block; v != end; block_of_[v] = block) v = links_[v].prev;
     return {c, sequences_.join(block, rest)};
   }
 
+  struct Walked {
+    std::uint32_t vertices[block_size];
+    std::uint32_t count = 0;
+  };
+
   const FrontLink* links_;
   std::size_t vertex_ids_;
+  Walked walked_;  ///< by gather(): vertices that follow each other, without a block yet
   Sequences sequences_;
-  std::vector<Ends> ends_;                       ///< by block
+  std::vector<Ends> ends_;                 ///< by block
   std::vector<Sequences::Node> block_of_;  ///< by vertex
 };
 

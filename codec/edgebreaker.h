@@ -28,6 +28,8 @@ struct Traversal {
   struct Special {
     std::uint32_t index;  ///< of the S in `gates`
     HalfEdge left;        ///< the boundary edge that its left side is glued to
+    /// Not of holes: the face of `left` was the i-th, its gate at corner c; this is half_edge(i, c).
+    HalfEdge visited;
     SpecialS kind;        ///< of ends of handles Edgebreaker does not know which: place_handles.h
     /// hole: its edges. split: edges back from the gate. join: edges back from the vertex of the split.
     std::uint32_t distance = 0;
@@ -217,8 +219,8 @@ class Edgebreaker {
         if (!fine()) return;
         vertices = vertices_.data();
       }
+      surface.detach(gate, HalfEdge(3 * count + corner(gate)));
       ++count;
-      surface.detach(gate);
       if (letter == Clers::E) {
         // What is left to do is put aside, unless the walk came there another way: then the S did
         // not part the surface, and is an end of a handle.
@@ -233,8 +235,9 @@ class Edgebreaker {
           const Aside part = aside_.back();
           aside_.pop_back();
           next = part.gate;
-          if (!surface.is_destroyed(left(next))) break;
-          result_.specials.push_back({part.index, next, SpecialS::split});
+          const Face there = left(next);
+          if (!surface.is_destroyed(there)) break;
+          result_.specials.push_back({part.index, next, surface.note(there), SpecialS::split});
           result_.handles = true;
         }
       }
@@ -278,7 +281,7 @@ class Edgebreaker {
       vertices_[v] &= ~on_hole;
       const std::uint32_t length =
           join_hole(right_is_smaller ? next_on_boundary(lprev(r)) : lnext(l));
-      result_.specials.push_back({index, left_gate, SpecialS::hole, length});
+      result_.specials.push_back({index, left_gate, HalfEdge(), SpecialS::hole, length});
     } else {
       aside_.push_back({index, left_gate});
     }

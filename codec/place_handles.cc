@@ -16,11 +16,9 @@ class PlacingSource {
  public:
   static constexpr bool knows_vertices = true;
 
-  /// twins[3f] is the index of face f in the traversal.
-  PlacingSource(Traversal& traversal, const Building& building, std::span<const HalfEdge> twins)
+  PlacingSource(Traversal& traversal, const Building& building)
       : traversal_(traversal),
         building_(building),
-        twins_(twins),
         curves_(building.links.data(), building.links.size()),
         index_(static_cast<std::uint32_t>(traversal.gates.size())),
         next_start_(traversal.starts.size()),
@@ -47,8 +45,13 @@ class PlacingSource {
   SpecialVertex special_vertex(std::uint32_t x, std::uint32_t y) {
     if (!special()) return {};
     Traversal::Special& s = traversal_.specials[--next_special_];
-    const std::uint32_t q = vertex_at(s.left);
-    if (s.kind == SpecialS::hole) return {true, s.kind, q};
+    std::uint32_t q;
+    if (s.kind == SpecialS::hole) {
+      q = x;
+      for (std::uint32_t k = 0; k < s.distance; ++k) q = building_.links[q].prev;
+      return {true, s.kind, q};
+    }
+    q = end_of_left(s);
     const CurveIndex::Curve gathered = curves_.gather(x, y);
     const auto [curve, place] = curves_.place(q);
     const std::uint32_t n = curves_.length(curve);
@@ -70,11 +73,10 @@ class PlacingSource {
   }
 
  private:
-  /// The vertex of the construction at the end of a half-edge of the input.
-  std::uint32_t vertex_at(HalfEdge h) {
-    const std::uint32_t i = twins_[half_edge(left(h), 0).index()].index();
-    const unsigned side = (corner(h) + 1 + 3 - corner(traversal_.gates[i])) % 3;
-    std::uint32_t v = building_.corners[3 * std::size_t(i) + side];
+  /// The vertex of the construction at the end of the edge that a handle's S is glued to.
+  std::uint32_t end_of_left(const Traversal::Special& s) {
+    const unsigned side = (corner(s.left) + 1 + 3 - corner(s.visited)) % 3;
+    std::uint32_t v = building_.corners[half_edge(left(s.visited), side).index()];
     // What vertices merged into may have merged too. Paths are halved, so that none stays long.
     while (building_.links[v].valence == merged_away) {
       std::uint32_t& into = building_.links[v].prev;
@@ -86,7 +88,6 @@ class PlacingSource {
 
   Traversal& traversal_;
   const Building& building_;
-  std::span<const HalfEdge> twins_;
   CurveIndex curves_;
   WaitingCurves waiting_;
   std::uint32_t index_;  ///< in the traversal, of the current letter
@@ -95,15 +96,13 @@ class PlacingSource {
 
 }  // namespace
 
-bool place_handles(Traversal& traversal, std::span<HalfEdge> twins) {
+bool place_handles(Traversal& traversal) {
   const std::uint32_t faces = static_cast<std::uint32_t>(traversal.gates.size());
   std::size_t ids = 0;
   for (const std::uint8_t c : traversal.contexts) {
     const Clers letter = static_cast<Clers>(c & 7);
     ids += letter == Clers::E ? 3 : letter == Clers::L || letter == Clers::R;
   }
-  for (std::uint32_t i = 0; i < faces; ++i)
-    twins[half_edge(left(traversal.gates[i]), 0).index()] = HalfEdge(i);
 
   const std::unique_ptr<std::uint32_t[]> corners(new std::uint32_t[3 * std::size_t(faces)]);
   const std::unique_ptr<FrontLink[]> links(new FrontLink[ids]);
@@ -111,7 +110,7 @@ bool place_handles(Traversal& traversal, std::span<HalfEdge> twins) {
   building.corners = {corners.get(), 3 * std::size_t(faces)};
   building.links = {links.get(), ids};
   NoPairing none;
-  PlacingSource source(traversal, building, twins);
+  PlacingSource source(traversal, building);
   return SpiraleReversi<NoPairing, PlacingSource>(building, none, source).run().broken ==
          Broken::none;
 }
