@@ -123,7 +123,7 @@ class SpiraleReversi {
             } else {
               if (ids - made < 3) return Broken::too_many_vertices;
               if (!aside_.empty() || !source_.new_component(front.prev(gate.x) == gate.y)) {
-                aside_.push_back(gate);
+                aside_.push_back(Gate(gate));  // a copy: the gate stays in registers
               } else if (!nothing_waits()) {
                 return Broken::waiting_curve;
               } else {
@@ -231,7 +231,7 @@ class SpiraleReversi {
             typename Pairing::Edge pq, HandleCase as, Corners& c) {
     const Gate next = front_.attach_glue(gate, f, p, kp, q, kq, pq, as, c);
     to_.links[gate.x] = {q, merged_away};
-    to_.merged.push_back(gate.x);
+    to_.merged.push_back(std::uint32_t(gate.x));
     return next;
   }
 
