@@ -50,7 +50,8 @@ struct EncodeOptions {
   OnOddity on_duplicate = OnOddity::keep;    ///< faces on the same vertices as an earlier one
 
   /// Called now and then with the name of the stage and the share of the whole work that is done,
-  /// 0..1, never decreasing; from the calling thread. May be empty.
+  /// 0..1, never decreasing; from the calling thread. May be empty. What it throws ends the work
+  /// and passes through.
   std::function<void(std::string_view stage, double done)> progress;
 };
 

@@ -78,7 +78,8 @@ struct FileInfo {
 /// Errors: those of decode.
 Expected<FileInfo> inspect(std::span<const std::byte> bytes, const Limits& limits = {});
 
-/// Measures any mesh, polygons and non-manifold ones included. Errors: inconsistent_mesh.
+/// Measures any mesh, polygons and non-manifold ones included. Errors: inconsistent_mesh,
+/// too_large, out_of_memory.
 Expected<MeshShape> measure(const Mesh& mesh);
 
 }  // namespace clers
