@@ -56,9 +56,26 @@ Expected<Done> ContainerReader::open() {
                     std::to_string(format_minor));
   level_ = static_cast<int>(in_.u8());
   if (!in_.ok()) return Failure{in_.error()};
+  if (level_ < 1 || level_ > 9)
+    return fail(ErrorCode::invalid, Place::byte, header_size - 1,
+                "made with level " + std::to_string(level_) + ", expected 1 to 9");
   minor_ = version & 15;
   check_ = checksum(bytes_.first(header_size), 0);
   return Done{};
+}
+
+ContainerReader::Tally ContainerReader::tally() const {
+  Tally tally;
+  for (ByteReader in = in_; in.left() > 0;) {
+    const std::uint32_t kind = in.u8();
+    const std::uint64_t size = in.varint();
+    in.take(size);
+    in.take(sizeof(std::uint32_t));
+    if (!in.ok() || kind >= tally.sections.size()) break;
+    ++tally.sections[kind];
+    tally.bytes[kind] += size;
+  }
+  return tally;
 }
 
 Expected<Section> ContainerReader::next() {

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <memory>
 #include <new>
+#include <stdexcept>
 #include <utility>
 
 #include "codec/container.h"
@@ -76,6 +77,10 @@ Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& opti
   if (options.level < min_level || options.level > max_level)
     return fail(ErrorCode::bad_option,
                 "level " + std::to_string(options.level) + ", expected 1 to 9");
+  if (options.order > Order::keep) return fail(ErrorCode::bad_option, "no such order");
+  for (const OnOddity on : {options.on_nonmanifold, options.on_degenerate, options.on_duplicate})
+    if (on > OnOddity::error)
+      return fail(ErrorCode::bad_option, "faces are neither to be kept nor to be an error");
   for (std::size_t i = 0; i < meshes.size(); ++i)
     if (auto ok = check(meshes[i], options); !ok) return in_mesh(ok.error(), i, meshes.size());
 
@@ -94,7 +99,7 @@ Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& opti
   EncodeOptions in_pieces = options;
   in_pieces.order = Order::free;
   std::atomic<std::size_t> done{0};
-  std::vector<std::vector<std::uint32_t>> memory(std::max(1u, options.threads));
+  std::vector<std::vector<std::uint32_t>> memory(worker_count(options.threads, jobs.size()));
   const unsigned threads_inside = jobs.size() > 1 ? 1 : options.threads;
   for_each_item(jobs.size(), options.threads, [&](std::size_t j, unsigned worker) {
     double last = 0;
@@ -127,6 +132,8 @@ Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& opti
   if (options.progress) options.progress("done", 1.0);
   return result;
 } catch (const std::bad_alloc&) {
+  return fail(ErrorCode::out_of_memory, "not enough memory to encode");
+} catch (const std::length_error&) {  // more elements than can be addressed
   return fail(ErrorCode::out_of_memory, "not enough memory to encode");
 }
 

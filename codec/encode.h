@@ -40,7 +40,8 @@ struct EncodeOptions {
   /// and by several threads. 0: in pieces of at most
   /// about default_piece_faces, if it has positions and more than most_faces_whole faces.
   std::uint32_t piece_faces = 0;
-  unsigned threads = 1;  ///< over meshes and pieces, or the attributes of a single one
+  unsigned threads = 1;  ///< over meshes and pieces, or the attributes of a single one; 0: one a
+                         ///< core. They make no difference to the bytes
 
   Order order = Order::free;
   OnOddity on_nonmanifold = OnOddity::keep;  ///< edges of more than two faces or of two that run
@@ -49,7 +50,8 @@ struct EncodeOptions {
   OnOddity on_duplicate = OnOddity::keep;    ///< faces on the same vertices as an earlier one
 
   /// Called now and then with the name of the stage and the share of the whole work that is done,
-  /// 0..1, never decreasing; from the calling thread. May be empty.
+  /// 0..1, never decreasing; from the calling thread. May be empty. What it throws ends the work
+  /// and passes through.
   std::function<void(std::string_view stage, double done)> progress;
 };
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "codec/error.h"
+#include "codec/limits.h"
 #include "codec/mesh.h"
 
 namespace clers {
@@ -75,9 +76,11 @@ struct FileInfo {
 };
 
 /// Describes a .clers file. Checks it as decode does, and decodes the connectivity to count.
-Expected<FileInfo> inspect(std::span<const std::byte> bytes);
+/// Errors: those of decode.
+Expected<FileInfo> inspect(std::span<const std::byte> bytes, const Limits& limits = {});
 
-/// Measures any mesh, polygons and non-manifold ones included. Errors: inconsistent_mesh.
+/// Measures any mesh, polygons and non-manifold ones included. Errors: inconsistent_mesh,
+/// too_large, out_of_memory.
 Expected<MeshShape> measure(const Mesh& mesh);
 
 }  // namespace clers

@@ -2,13 +2,21 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string_view>
+
+#include "codec/utf8.h"
 
 namespace clers {
 namespace {
 
-Failure<Error> over(std::uint64_t at, const char* what, std::uint64_t value, std::uint64_t limit) {
-  return fail(ErrorCode::limit, Place::byte, at,
-              std::to_string(value) + " " + what + ", the limit is " + std::to_string(limit));
+Failure<Error> over(std::uint64_t at, Limited limited, const char* what, std::uint64_t value,
+                    std::uint64_t limit) {
+  auto failure =
+      fail(ErrorCode::limit, Place::byte, at,
+           std::to_string(value) + " " + what + ", the limit is " + std::to_string(limit));
+  failure.error.limited = limited;
+  failure.error.needed = value;
+  return failure;
 }
 
 PieceSections::Stream read_stream(ByteReader& in) {
@@ -125,8 +133,9 @@ Expected<PieceSections> read_piece(const Section& section, const Limits& limits)
                                                   : read_surface(section, in, mesh);
   if (!ok) return Failure{ok.error()};
   if (mesh.vertices > limits.vertices)
-    return over(section.at, "vertices", mesh.vertices, limits.vertices);
-  if (mesh.faces > limits.faces) return over(section.at, "faces", mesh.faces, limits.faces);
+    return over(section.at, Limited::vertices, "vertices", mesh.vertices, limits.vertices);
+  if (mesh.faces > limits.faces)
+    return over(section.at, Limited::faces, "faces", mesh.faces, limits.faces);
   return mesh;
 }
 
@@ -140,6 +149,8 @@ Expected<PieceSections::AttributeSection> read_attribute(const Section& section,
     case Domain::corner: result.count = mesh.corners; break;
     case Domain::face: result.count = mesh.faces; break;
   }
+  if (auto ok = check_values(result.bytes, result.at, result.header, result.count); !ok)
+    return Failure{ok.error()};
   return result;
 }
 
@@ -171,10 +182,8 @@ bool same_attributes(const PieceSections& a, const PieceSections& b) {
 /// Takes the sections of a file one after the other.
 class MeshesReader {
  public:
-  explicit MeshesReader(const Limits& limits)
-      : limits_(limits),
-        // No more than can be addressed, so that sizes fit in std::size_t.
-        memory_(std::min<std::uint64_t>(limits.memory, PTRDIFF_MAX)) {}
+  MeshesReader(const Limits& limits, std::uint64_t pieces_in_file)
+      : limits_(limits), pieces_left_(pieces_in_file) {}
 
   Expected<Done> take(const Section& section) {
     const bool any_piece = !meshes.empty() && !meshes.back().pieces.empty();
@@ -194,16 +203,15 @@ class MeshesReader {
       case SectionKind::attribute: return add_attribute(section, piece);
       case SectionKind::name:
         if (pieces_to_come_ > 0) return invalid(section, "a name before the last piece");
-        meshes.back().name.assign(reinterpret_cast<const char*>(section.payload.data()),
-                                  section.payload.size());
-        return Done{};
+        return add_name(section, meshes.back());
       default: break;
     }
     MeshSections& mesh = meshes.back();  // an order
-    if (pieces_to_come_ > 0 || !mesh.order.bytes.empty() ||
+    if (pieces_to_come_ > 0 || mesh.has_order ||
         (mesh.pieces.size() == 1 && piece.features == feature::plain))
       return invalid(section, "an order where none can be");
     mesh.order = {section.payload, section.at};
+    mesh.has_order = true;
     return Done{};
   }
 
@@ -221,18 +229,20 @@ class MeshesReader {
     if (pieces < 2 || in.left() > 0) return invalid(section, "no number of pieces, 2 at least");
     if (auto ok = begin_mesh(section); !ok) return ok;
     pieces_to_come_ = pieces;
+    meshes.back().pieces.reserve(static_cast<std::size_t>(std::min(pieces, pieces_left_)));
     return Done{};
   }
 
   Expected<Done> begin_mesh(const Section& section) {
     if (auto ok = finish_mesh(section); !ok) return ok;
     if (meshes.size() >= limits_.meshes)
-      return over(section.at, "meshes or more", meshes.size() + 1, limits_.meshes);
+      return over(section.at, Limited::meshes, "meshes or more", meshes.size() + 1, limits_.meshes);
     meshes.emplace_back();
     return Done{};
   }
 
   Expected<Done> add_piece(const Section& section) {
+    --pieces_left_;
     if (pieces_to_come_ > 0) {
       --pieces_to_come_;
       if (auto ok = finish_piece(); !ok) return ok;
@@ -245,8 +255,6 @@ class MeshesReader {
     piece->first_vertex = mesh.vertices;
     piece->first_face = mesh.faces;
     piece->first_corner = mesh.corners;
-    const std::uint64_t size = 4 * (piece->corners + (piece->may_have_sizes() ? piece->faces : 0));
-    if (!spend(size)) return over(section.at, "bytes for faces and more", size, limits_.memory);
     mesh.pieces.push_back(std::move(*piece));
     return Done{};
   }
@@ -267,8 +275,9 @@ class MeshesReader {
     if (mesh.vertices > 0xffffffffu || mesh.corners > max_corners || mesh.faces > max_corners)
       return refuse("up to this piece there are more elements than numbers for them");
     if (mesh.vertices > limits_.vertices)
-      return over(piece.at, "vertices", mesh.vertices, limits_.vertices);
-    if (mesh.faces > limits_.faces) return over(piece.at, "faces", mesh.faces, limits_.faces);
+      return over(piece.at, Limited::vertices, "vertices", mesh.vertices, limits_.vertices);
+    if (mesh.faces > limits_.faces)
+      return over(piece.at, Limited::faces, "faces", mesh.faces, limits_.faces);
     return Done{};
   }
 
@@ -281,7 +290,7 @@ class MeshesReader {
     const MeshSections& mesh = meshes.back();
     // A face takes a decision at least.
     if (const auto& order = mesh.order;
-        order.at > 0 && mesh.faces > max_decisions_per_byte * order.bytes.size())
+        mesh.has_order && mesh.faces > max_decisions_per_byte * order.bytes.size())
       return fail(ErrorCode::invalid, Place::byte, order.at,
                   "the order of " + std::to_string(mesh.faces) + " faces cannot be coded in " +
                       std::to_string(order.bytes.size()) + " bytes");
@@ -291,28 +300,45 @@ class MeshesReader {
   Expected<Done> add_attribute(const Section& section, PieceSections& piece) {
     auto attribute = read_attribute(section, piece);
     if (!attribute) return Failure{attribute.error()};
-    const std::uint64_t size = attribute->count * attribute->header.attribute.stride();
-    if (!spend(size)) return over(section.at, "bytes for values and more", size, limits_.memory);
     piece.attributes.push_back(std::move(*attribute));
     return Done{};
   }
 
-  bool spend(std::uint64_t bytes) {
-    if (bytes > memory_) return false;
-    memory_ -= bytes;
-    return true;
+  Expected<Done> add_name(const Section& section, MeshSections& mesh) {
+    const std::string_view name(reinterpret_cast<const char*>(section.payload.data()),
+                                section.payload.size());
+    if (mesh.has_name) return invalid(section, "a second name of a mesh");
+    if (const std::size_t i = first_not_utf8(name); i < name.size())
+      return fail(ErrorCode::invalid, Place::byte, section.at + i,
+                  "the name is not UTF-8 from here");
+    mesh.name = name;
+    mesh.has_name = true;
+    return Done{};
   }
 
   const Limits& limits_;
-  std::uint64_t memory_;
+  std::uint64_t pieces_left_;         ///< in the file
   std::uint64_t pieces_to_come_ = 0;  ///< of the latest mesh
 };
 
+/// What sections become: a mesh or a piece each, and lists of attributes that grow by doubling.
+std::uint64_t tables_memory(const ContainerReader::Tally& tally) {
+  const std::uint64_t pieces = tally.count(SectionKind::mesh),
+                      attributes = tally.count(SectionKind::attribute);
+  return pieces * (sizeof(PieceSections) + 3 * sizeof(MeshSections)) +
+         attributes * 3 * sizeof(PieceSections::AttributeSection) +
+         std::min(tally.size(SectionKind::attribute), 256 * attributes) +  // names
+         2 * tally.size(SectionKind::name);  // here, and in the result
+}
+
 }  // namespace
 
-Expected<std::vector<MeshSections>> read_meshes(ContainerReader& file, const Limits& limits) {
+Expected<std::vector<MeshSections>> read_meshes(ContainerReader& file, const Limits& limits,
+                                                Budget& budget) {
   if (auto ok = file.open(); !ok) return Failure{ok.error()};
-  MeshesReader reader(limits);
+  const ContainerReader::Tally tally = file.tally();
+  if (auto ok = budget.take(tables_memory(tally)); !ok) return Failure{ok.error()};
+  MeshesReader reader(limits, tally.count(SectionKind::mesh));
   for (bool more = true; more;) {
     auto section = file.next();
     if (!section) return Failure{section.error()};

@@ -24,6 +24,10 @@ namespace clers {
 /// Codes the classes of surface vertices. Cost: a pass over vertices and faces, all else by the
 /// vertices on cuts: those that are copies, or have one.
 class Stitching {
+  struct Neighbour {
+    std::uint32_t place, next;
+  };
+
  public:
   /// `corners` are triangles of surface vertices, all below `vertices`, of which there are more
   /// than `copies`.
@@ -33,7 +37,8 @@ class Stitching {
   /// Memory that a Stitching takes at most, in bytes.
   static std::uint64_t memory(std::uint64_t corners, std::uint64_t vertices, std::uint64_t copies) {
     const std::uint64_t on_cuts = std::min(vertices, 2 * copies);
-    return 5 * vertices + 24 * on_cuts + 16 * std::min(2 * corners, 2 * most_listed * on_cuts);
+    const std::uint64_t listed = std::min(2 * corners, most_listed * on_cuts);
+    return 5 * vertices + 17 * on_cuts + 3 * sizeof(Neighbour) * listed;  // 3: a vector that grows
   }
 
   /// A Coder that encodes gets classes[v], the least vertex of the class of v; one that decodes
@@ -176,10 +181,6 @@ class Stitching {
     }
     return code_from(coder, far_, last_, value);
   }
-
-  struct Neighbour {
-    std::uint32_t place, next;
-  };
 
   std::span<const std::uint32_t> triangles_;
   const std::uint32_t vertices_, copies_;
