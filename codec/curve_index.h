@@ -1,15 +1,15 @@
 // Places along boundary curves: which vertex is so many edges back, and how far back a vertex is.
 //
 // The front (topology/front.h) knows of each vertex only the one before it. To count along a curve
-// takes its length, and handles would make that quadratic: they cut long curves and join them, again
-// and again. So what was counted once is kept, in blocks of a few vertices that follow each other,
-// and the blocks of a curve in a sequence that can be searched, cut and joined.
+// takes its length, and handles would make that quadratic: they cut long curves and join them,
+// again and again. So what was counted once is kept, in blocks of a few vertices that follow each
+// other, and the blocks of a curve in a sequence that can be searched, cut and joined.
 //
-// Nothing is kept of a curve until a handle asks for it, and C, L, R and S know nothing of this: all
-// they do to what is kept is to take vertices off its front (C, S), or to put curves together that
-// are kept each for itself. A vertex knows its block. So gather(), which walks a curve from its front,
-// jumps where it meets a block that is known, to the end of all that is known with it, drops what is
-// in front of the vertex that it met, and walks only where nobody did before.
+// Nothing is kept of a curve until a handle asks for it, and C, L, R and S know nothing of this:
+// all they do to what is kept is to take vertices off its front (C, S), or to put curves together
+// that are kept each for itself. A vertex knows its block. So gather(), which walks a curve from
+// its front, jumps where it meets a block that is known, to the end of all that is known with it,
+// drops what is in front of the vertex that it met, and walks only where nobody did before.
 #ifndef CLERS_CODEC_CURVE_INDEX_H
 #define CLERS_CODEC_CURVE_INDEX_H
 
@@ -78,8 +78,8 @@ class CurveIndex {
     return {c, place};
   }
 
-  /// A special S on the gate's curve c glues x to the vertex at place d: the ring of those at 1 .. d.
-  /// The others behind it stay the gate's. Before the glue.
+  /// A special S on the gate's curve c glues x to the vertex at place d: the ring of those at 1 ..
+  /// d. The others behind it stay the gate's. Before the glue.
   Curve split_off(Curve c, std::uint32_t d) {
     auto [front, rest] = cut(c, d + 1);
     auto [x, ring] = cut(front, 1);
@@ -87,8 +87,8 @@ class CurveIndex {
     return ring;
   }
 
-  /// A special S on the gate's curve c glues x to the vertex at a place of a ring, which becomes part
-  /// of the gate's curve. Before the glue.
+  /// A special S on the gate's curve c glues x to the vertex at a place of a ring, which becomes
+  /// part of the gate's curve. Before the glue.
   void join(Curve c, Curve ring, std::uint32_t place) {
     auto [x, rest] = cut(c, 1);
     sequences_.release(x);

@@ -28,10 +28,12 @@ struct Traversal {
   struct Special {
     std::uint32_t index;  ///< of the S in `gates`
     HalfEdge left;        ///< the boundary edge that its left side is glued to
-    /// Not of holes: the face of `left` was the i-th, its gate at corner c; this is half_edge(i, c).
+    /// Not of holes: the face of `left` was the i-th, its gate at corner c; this is half_edge(i,
+    /// c).
     HalfEdge visited;
-    SpecialS kind;        ///< of ends of handles Edgebreaker does not know which: place_handles.h
-    /// hole: its edges. split: edges back from the gate. join: edges back from the vertex of the split.
+    SpecialS kind;  ///< of ends of handles Edgebreaker does not know which: place_handles.h
+    /// hole: its edges. split: edges back from the gate. join: edges back from the vertex of the
+    /// split.
     std::uint32_t distance = 0;
     std::uint32_t length = 0;   ///< split, join: edges of the curve that distance is counted on
     std::uint32_t recency = 0;  ///< join: how many curves wait that were split off later

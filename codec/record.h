@@ -17,7 +17,8 @@ struct Event {
   Kind kind;
   bool value = false;      ///< new_component, closed, special
   bool two_edges = false;  ///< new_component
-  /// hole: its edges. split: edges back from the gate. join: edges back from the vertex of the split.
+  /// hole: its edges. split: edges back from the gate. join: edges back from the vertex of the
+  /// split.
   std::uint32_t distance = 0;
   std::uint32_t length = 0;   ///< split, join: edges of the curve that distance is counted on
   std::uint32_t recency = 0;  ///< join: how many curves wait that were split off later

@@ -111,10 +111,10 @@ class Sequences {
 
  private:
   struct Data {
-    Node up = 0;                        ///< of one that was released: the next such
-    Node below[2] = {0, 0};             ///< before it, after it
-    std::uint32_t own = 0, total = 0;   ///< places, of the node and of its tree
-    std::uint32_t name = 0;             ///< at a root
+    Node up = 0;                       ///< of one that was released: the next such
+    Node below[2] = {0, 0};            ///< before it, after it
+    std::uint32_t own = 0, total = 0;  ///< places, of the node and of its tree
+    std::uint32_t name = 0;            ///< at a root
   };
 
   Data& at(Node n) { return nodes_[n]; }
@@ -135,7 +135,8 @@ class Sequences {
     else
       std::swap(at(n).name, at(parent).name);
     at(n).total = at(parent).total;
-    at(parent).total = at(parent).own + at(at(parent).below[0]).total + at(at(parent).below[1]).total;
+    at(parent).total =
+        at(parent).own + at(at(parent).below[0]).total + at(at(parent).below[1]).total;
   }
 
   Node cut(Node root, unsigned side) {

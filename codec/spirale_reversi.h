@@ -268,10 +268,10 @@ class SpiraleReversi {
   Building& to_;
   Front<Pairing> front_;
   Source& source_;
-  std::vector<Gate> aside_;             ///< gates of parts to be joined by a later S
+  std::vector<Gate> aside_;  ///< gates of parts to be joined by a later S
   CurveIndex curves_;
-  WaitingCurves waiting_;               ///< curves split off for a handle
-  std::vector<std::uint32_t> holes_;    ///< a vertex of each hole of this component
+  WaitingCurves waiting_;             ///< curves split off for a handle
+  std::vector<std::uint32_t> holes_;  ///< a vertex of each hole of this component
 };
 
 /// Afterwards links[v].prev = how many finished before v, of merged vertices too.
