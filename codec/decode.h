@@ -35,7 +35,7 @@ struct DecodeOptions {
 /// wrong with the bytes is a named error with the byte offset.
 /// Errors: not_clers, unsupported_version, truncated, trailing_bytes, corrupt, invalid, limit,
 /// out_of_memory.
-/// Cost: linear in the faces. Thread safe: calls share nothing.
+/// Cost: linear in the faces, and O(log n) for each handle. Thread safe: calls share nothing.
 Expected<std::vector<Mesh>> decode(std::span<const std::byte> bytes,
                                    const DecodeOptions& options = {});
 
