@@ -121,6 +121,22 @@ Told tell(LetterModel model, const Record& record, std::size_t ids) {
   return told;
 }
 
+/// Tells with the model of a level, or of a lower one where that takes fewer bytes: the more a
+/// model has to learn, the less it pays where there is little to learn from, or little to say. So
+/// no level is larger than those below. To look costs half as much again, and is done where it may
+/// matter.
+Told tell_briefly(const Record& record, int level, std::size_t ids) {
+  using Kind = LetterModel::Kind;
+  const LetterModel model = choose_model(record.contexts, level);
+  Told told = tell(model, record, ids);
+  const bool little = told.bytes.size() < record.contexts.size() * 3 / 64;
+  if (model.kind == Kind::mixing || (level >= 5 && little)) {
+    Told simpler = tell_briefly(record, model.kind == Kind::mixing ? 5 : 3, ids);
+    if (simpler.bytes.size() < told.bytes.size()) return simpler;
+  }
+  return told;
+}
+
 void put_header(Bytes& out, std::uint32_t faces, std::uint32_t vertices, std::uint32_t merges,
                 LetterModel model) {
   put_varint(out, faces);
@@ -189,13 +205,7 @@ Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorT
   const auto ids =
       static_cast<std::size_t>(count(Clers::R) + count(Clers::L) + 3 * count(Clers::E));
 
-  const LetterModel chosen = choose_model(record.contexts, level);
-  Told told = tell(chosen, record, ids);
-  // The most thorough model does not pay for the smallest meshes.
-  if (chosen.kind == LetterModel::Kind::mixing) {
-    Told other = tell(choose_model(record.contexts, level - 1), record, ids);
-    if (other.bytes.size() < told.bytes.size()) told = std::move(other);
-  }
+  const Told told = tell_briefly(record, level, ids);
   put_header(result.bytes, faces, static_cast<std::uint32_t>(record.vertices.size()),
              static_cast<std::uint32_t>(count(Clers::S)), told.model);
   put_bytes(result.bytes, told.bytes);

@@ -30,7 +30,7 @@ struct DecodeOptions {
 /// not on threads, of which only as many work as there is memory for. Errors: not_clers,
 /// unsupported_version, truncated, trailing_bytes, corrupt, invalid, limit, out_of_memory. Throws
 /// nothing, but passes on what `progress` throws (as out_of_memory, if that is std::bad_alloc).
-/// Cost: linear in the faces. Thread safe: calls share nothing.
+/// Cost: linear in the faces, and O(log n) for each handle. Thread safe: calls share nothing.
 Expected<std::vector<Mesh>> decode(std::span<const std::byte> bytes,
                                    const DecodeOptions& options = {});
 

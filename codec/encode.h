@@ -80,7 +80,7 @@ struct Encoded {
 /// Errors: inconsistent_mesh, too_large, out_of_memory; and where options say so
 /// degenerate_face, duplicate_face, nonmanifold_edge, nonorientable, nonmanifold_vertex, each with
 /// the first offending element.
-/// Cost: linear in the faces.
+/// Cost: linear in the faces, and O(log n) for each handle.
 /// Thread safe: calls share nothing.
 Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& options = {});
 

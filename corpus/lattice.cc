@@ -38,7 +38,8 @@ Mesh lattice(std::uint32_t n) {
             // The tube ends at the cube behind, at the corners that lie across.
             const std::uint32_t across = next[side.axis] - (1u << side.axis);
             for (unsigned k = 0; k < 4; ++k)
-              add_quad(corners, {vertex(k), vertex(k + 1), vertex(k + 1) + across, vertex(k) + across});
+              add_quad(corners,
+                       {vertex(k), vertex(k + 1), vertex(k + 1) + across, vertex(k) + across});
           }
         }
       }

@@ -1,5 +1,7 @@
-// Bytes choose the letters and answers of a legal stream. It decodes to the surface that its letters
-// say, which is coded and comes back, and from there to the same bytes.
+// Bytes choose the letters and answers of a legal stream. It decodes to the surface that its
+// letters say, which is coded and comes back, and from there to the same bytes.
+#include "codec/test/legal_streams.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +12,6 @@
 
 #include "codec/connectivity.h"
 #include "codec/test/correspondence.h"
-#include "codec/test/legal_streams.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
-// Whether a decoded surface is the one that was encoded: every half-edge names the one it came from,
-// and twins must go with twins.
+// Whether a decoded surface is the one that was encoded: every half-edge names the one it came
+// from, and twins must go with twins.
 #ifndef CLERS_CODEC_TEST_CORRESPONDENCE_H
 #define CLERS_CODEC_TEST_CORRESPONDENCE_H
 

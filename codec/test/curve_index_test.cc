@@ -64,8 +64,9 @@ class Pair {
         sequences_.set_name(trees_[i], 7);
         trees_[i] = sequences_.to_root(n);
         ASSERT_EQ(sequences_.name(n), 7u);
-        ASSERT_EQ(sequences_.before(n), static_cast<std::uint32_t>(
-            std::find(written_[i].begin(), written_[i].end(), n) - written_[i].begin()));
+        ASSERT_EQ(sequences_.before(n),
+                  static_cast<std::uint32_t>(std::find(written_[i].begin(), written_[i].end(), n) -
+                                             written_[i].begin()));
         break;
       }
       default:
@@ -135,15 +136,21 @@ using Vertices = std::vector<std::uint32_t>;
 
 class Curves {
  public:
-  explicit Curves(std::uint64_t seed) : random_(seed), links_(1u << 14), index_(links_.data(), links_.size()) {
+  explicit Curves(std::uint64_t seed)
+      : random_(seed), links_(1u << 14), index_(links_.data(), links_.size()) {
     fresh();
   }
 
   void step() {
     switch (random_.below(12)) {
-      case 0: case 1: case 2: gate_.push_back(made_++), relink(gate_); break;
-      case 3: case 4: gate_.insert(gate_.begin(), made_++), relink(gate_); break;
-      case 5: case 6: case 7:
+      case 0:
+      case 1:
+      case 2: gate_.push_back(made_++), relink(gate_); break;
+      case 3:
+      case 4: gate_.insert(gate_.begin(), made_++), relink(gate_); break;
+      case 5:
+      case 6:
+      case 7:
         if (gate_.size() > 3) gate_.erase(gate_.begin()), relink(gate_);
         break;
       case 8:

@@ -195,8 +195,8 @@ class WrittenOutSurface {
   std::uint32_t components_ = 0, hole_count_ = 0, handles_ = 0;
 };
 
-/// A legal stream of about `faces` faces. `choose(n)` gives 0 .. n - 1. A handle joins curves of one
-/// component, as in what encoders make.
+/// A legal stream of about `faces` faces. `choose(n)` gives 0 .. n - 1. A handle joins curves of
+/// one component, as in what encoders make.
 template <class Choose>
 LegalStream legal_stream(std::uint32_t faces, Choose choose) {
   WrittenOutSurface surface;
@@ -241,11 +241,17 @@ LegalStream legal_stream(std::uint32_t faces, Choose choose) {
   while (writer.faces() < faces) {
     const std::uint32_t before = writer.faces();
     switch (choose(16)) {
-      case 0: case 1: case 2: case 3:
+      case 0:
+      case 1:
+      case 2:
+      case 3:
         if (length() > 2) writer.c(), surface.c();
         break;
-      case 4: case 5: case 6: r(); break;
-      case 7: case 8: l(); break;
+      case 4:
+      case 5:
+      case 6: r(); break;
+      case 7:
+      case 8: l(); break;
       case 9:
         if (writer.aside() == 0 && writer.waiting() == 0 && choose(2) == 1) {
           const bool closed = closable();
@@ -254,7 +260,8 @@ LegalStream legal_stream(std::uint32_t faces, Choose choose) {
           writer.e(), surface.e();
         }
         break;
-      case 10: case 11:
+      case 10:
+      case 11:
         if (writer.aside() > 0) s();
         break;
       case 12: split(true); break;

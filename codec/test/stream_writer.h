@@ -15,9 +15,9 @@
 
 namespace clers {
 
-/// Letters of a prefix code and their answers. Begins after the first triangle. Knows the lengths of
-/// boundary curves, since numbers are coded by them, but not whether a face repeats a vertex: that
-/// is the caller's to avoid.
+/// Letters of a prefix code and their answers. Begins after the first triangle. Knows the lengths
+/// of boundary curves, since numbers are coded by them, but not whether a face repeats a vertex:
+/// that is the caller's to avoid.
 class StreamWriter {
  public:
   explicit StreamWriter(std::size_t most_faces) : letters_(most_faces), answers_(stream_) {}
