@@ -249,7 +249,7 @@ class CommandLine {
     sub.add_option(
            "--max-memory",
            [this](const std::vector<std::string>& values) {
-             return parse_size(values.back(), options_.decode.limits.memory);
+             return parse_size(values.back(), options_.decode.limits.memory.emplace());
            },
            "what the decoded meshes may take")
         ->type_name("SIZE");
