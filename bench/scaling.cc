@@ -72,6 +72,11 @@ Mesh gyroid(double triangles) {
                         corpus::Ends::periodic);
 }
 
+// A handle for every twelve triangles.
+Mesh lattice(double triangles) {
+  return corpus::lattice(static_cast<std::uint32_t>(std::max(1.0, std::cbrt(triangles / 24))));
+}
+
 Mesh doubled_torus(double triangles) {
   return corpus::doubled(torus(triangles / 2));
 }
@@ -152,6 +157,7 @@ constexpr Shape shapes[] = {
     {"icosphere", icosphere, false, Kind::clean},
     {"flipped grid", flipped_grid, false, Kind::clean},
     {"gyroid", gyroid, false, Kind::clean},
+    {"lattice", lattice, false, Kind::clean},
     {"torus, shuffled", torus, true, Kind::clean},
     {"icosphere, shuffled", icosphere, true, Kind::clean},
     {"flipped grid, shuffled", flipped_grid, true, Kind::clean},
