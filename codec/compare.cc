@@ -1,11 +1,14 @@
 #include "codec/compare.h"
 
+#include <new>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "codec/comparison/comparand.h"
+#include "codec/comparison/equitable.h"
 #include "codec/comparison/pairing.h"
 #include "codec/comparison/refinement.h"
 #include "codec/comparison/renumbering.h"
@@ -17,8 +20,10 @@
 //   1. Colour the vertices by their values (comparand.h). In most files positions differ, so every
 //      colour is alone in its class and the bijection is forced.
 //   2. Otherwise refine (refinement.h), until that is so or nothing more is learned.
-//   3. Where classes stay larger than one vertex, pair off components that are isomorphic
-//      (pairing.h), which a search shows (isomorphism.h).
+//   3. Where classes stay larger than one vertex, cut them finer than hashes did and single out one
+//      vertex after the other (equitable.h). Nearly always any of a class will do.
+//   4. Where one did not, pair off components that are isomorphic (pairing.h), which a search shows
+//      (isomorphism.h).
 //
 // Colours differ: no bijection exists. Equality is proved at the end, on the bits themselves
 // (renumbering.h).
@@ -36,17 +41,18 @@ std::string two_counts(const char* what, std::uint64_t a, std::uint64_t b) {
   return std::string(what) + ": " + std::to_string(a) + " and " + std::to_string(b);
 }
 
-/// Steps 1 and 2: colours both until they differ, or fills `image` with the only bijection that
-/// there can be, or little more would be learned. Rounds are free for small meshes and few for
-/// large ones, which the search serves better than a round for every ring of faces.
-std::optional<std::string> colour(Comparand& a, Comparand& b, std::vector<Index>& image) {
+/// Steps 1 and 2: colours both until they differ, or each colour is alone, or a round learns
+/// little, which cells serve better than a round for every ring of faces. `image` becomes a
+/// bijection that keeps colours, the only one if it is `forced`.
+std::optional<std::string> colour(Comparand& a, Comparand& b, std::vector<Index>& image,
+                                  bool& forced) {
   constexpr std::uint64_t enough = 1u << 24;  // corners and vertices
   Classes vertices_a = classes(a.colour), vertices_b = classes(b.colour);
   if (auto what = histograms_differ(vertices_a, vertices_b, "vertex", "the same values"))
     return what;
   std::size_t count = count_classes(vertices_a), before = 0;
   for (std::uint64_t effort = 0;
-       count < vertices_a.size() && effort <= enough && (before == 0 || before < count);) {
+       count < vertices_a.size() && effort <= enough && before + before / 8 < count;) {
     effort += a.corners() + a.vertices();
     refine(a);
     refine(b);
@@ -57,19 +63,35 @@ std::optional<std::string> colour(Comparand& a, Comparand& b, std::vector<Index>
       return what;
     before = std::exchange(count, count_classes(vertices_a));
   }
-  if (count < vertices_a.size()) return std::nullopt;
-  image.resize(count);
-  for (std::size_t i = 0; i < count; ++i) image[vertices_a[i].second] = vertices_b[i].second;
+  forced = count == vertices_a.size();
+  image.resize(vertices_a.size());
+  for (std::size_t i = 0; i < image.size(); ++i) image[vertices_a[i].second] = vertices_b[i].second;
   return std::nullopt;
 }
 
-}  // namespace
+/// What neither colours nor the order of attributes tell apart.
+Comparison compare_structure(Comparand& first, Comparand& second) {
+  std::vector<Index> image;
+  bool forced = false;
+  if (auto what = colour(first, second, image, forced)) return differ(std::move(*what));
+  // Often any vertex of a class will do: pages of a book, vertices that no face uses.
+  auto what = renumbering_fails(first, second, image);
+  if (!what) return {Verdict::same, {}};
+  if (forced) return differ(std::move(*what));
 
-Comparison compare(const Mesh& a, const Mesh& b) {
-  if (const std::string what = objection(a); !what.empty())
-    return {Verdict::undecided, "the first mesh " + what};
-  if (const std::string what = objection(b); !what.empty())
-    return {Verdict::undecided, "the second mesh " + what};
+  const Classes faces_a = classes(face_colours(first)), faces_b = classes(face_colours(second));
+  if (what = histograms_differ(faces_a, faces_b, "face", "the same values and neighbourhood"); what)
+    return differ(std::move(*what));
+  const Side a(first, faces_a), b(second, faces_b);
+  Comparison result = pair_by_cells(a, b, image);
+  if (result.verdict == Verdict::undecided) result = pair_components(a, b, image);
+  if (result.verdict != Verdict::same) return result;
+  if (what = renumbering_fails(first, second, image); what)
+    return {Verdict::undecided, std::move(*what)};  // colours collided
+  return result;
+}
+
+Comparison compare_checked(const Mesh& a, const Mesh& b) {
   if (a.vertex_count != b.vertex_count)
     return differ(two_counts("vertices", a.vertex_count, b.vertex_count));
   if (a.face_count() != b.face_count())
@@ -78,23 +100,22 @@ Comparison compare(const Mesh& a, const Mesh& b) {
     return differ(two_counts("corners", a.corners.size(), b.corners.size()));
   Comparand first(a), second(b);
   if (auto what = attributes_differ(first, second)) return differ(std::move(*what));
+  return compare_structure(first, second);
+}
 
-  std::vector<Index> image;
-  if (auto what = colour(first, second, image)) return differ(std::move(*what));
-  if (image.size() == first.vertices()) {
-    // Colours are the same and each is alone: no other bijection can be.
-    if (auto what = renumbering_fails(first, second, image)) return differ(std::move(*what));
-    return {Verdict::same, {}};
-  }
+}  // namespace
 
-  const Classes faces_a = classes(face_colours(first)), faces_b = classes(face_colours(second));
-  if (auto what = histograms_differ(faces_a, faces_b, "face", "the same values and neighbourhood"))
-    return differ(std::move(*what));
-  Comparison result = pair_components({first, faces_a}, {second, faces_b}, image);
-  if (result.verdict != Verdict::same) return result;
-  if (auto what = renumbering_fails(first, second, image))
-    return {Verdict::undecided, std::move(*what)};  // colours collided
-  return result;
+Expected<Comparison> compare(const Mesh& a, const Mesh& b) try {
+  for (const Mesh* mesh : {&a, &b})
+    if (auto error = objection(*mesh)) {
+      error->what = (mesh == &a ? "the first mesh " : "the second mesh ") + error->what;
+      return Failure{std::move(*error)};
+    }
+  return compare_checked(a, b);
+} catch (const std::bad_alloc&) {
+  return fail(ErrorCode::out_of_memory, "not enough memory to compare");
+} catch (const std::length_error&) {  // more than a container can hold
+  return fail(ErrorCode::out_of_memory, "not enough memory to compare");
 }
 
 }  // namespace clers

@@ -398,13 +398,14 @@ class MeshEncoder {
       coded[i] =
           encode_attribute(in_coded_order(a, mesh_, result.order), triangles, options_.level);
     });
+    const Attribute* const position = mesh_.position();
     for (std::size_t i = 0; i < count; ++i) {
       if (!coded[i]) return Failure{coded[i].error()};
       const Attribute& a = mesh_.attributes[i];
       const std::size_t bytes = coded[i]->size();
       info().attributes.push_back(
           {a.name, a.domain, a.scalar, a.components, mesh_.value_count(a.domain), bytes});
-      (&a == mesh_.position() ? info().position_bytes : info().attribute_bytes) += bytes;
+      (&a == position ? info().position_bytes : info().attribute_bytes) += bytes;
       put(SectionKind::attribute, std::move(*coded[i]));
     }
     return Done{};

@@ -237,15 +237,15 @@ Exit verify(const Options& options) {
     }
     for (std::size_t i = 0; i < found->size(); ++i) {
       progress.show("comparing", static_cast<double>(i) / static_cast<double>(found->size()));
-      const Comparison result = compare((*expected)[i], (*found)[i]);
-      if (result.verdict == Verdict::same) continue;
+      const auto result = compare((*expected)[i], (*found)[i]);
+      if (!result) return stop(name, result.error());
+      if (result->verdict == Verdict::same) continue;
       progress.clear();
-      const std::string mesh = found->size() > 1 ? fmt::format("mesh {}: ", i) : "";
-      complain(result.verdict == Verdict::different
-                   ? fmt::format("{}: differs: {}{}", name, mesh, result.what)
-                   : fmt::format("{}: neither equal nor different could be shown: {}{}", name, mesh,
-                                 result.what));
-      return Exit::different;
+      const bool differs = result->verdict == Verdict::different;
+      complain(fmt::format("{}: {}: {}{}", name,
+                           differs ? "differs" : "neither equal nor different could be shown",
+                           found->size() > 1 ? fmt::format("mesh {}: ", i) : "", result->what));
+      return differs ? Exit::different : Exit::undecided;
     }
     progress.clear();
     if (options.quiet) return Exit::done;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr char exit_codes[] =
     "Exit status: 0 done; 1 verify found a difference; 2 usage; 3 an input cannot be read\n"
-    "or is not accepted; 4 a limit was hit; 5 writing failed.";
+    "or is not accepted; 4 a limit was hit; 5 writing failed; 6 verify could not decide.";
 
 /// A number of bytes, plain or with K, M, G or T (powers of 1024).
 bool parse_size(const std::string& text, std::uint64_t& size) {
@@ -120,7 +120,7 @@ class CommandLine {
     CLI::App& verify =
         add("verify", cli::verify, "Decode a file and compare it with its original",
             "Faces and vertices may be in another order; all else must be equal bit\n"
-            "for bit. Exit status 1 when it is not, or could not be shown to be.\n"
+            "for bit. Exit status 1 when it is not, 6 when neither could be shown.\n"
             "Examples:\n"
             "  clers verify bunny.ply bunny.clers");
     verify.add_option("ORIGINAL", original_, "the mesh file that was encoded")
