@@ -12,7 +12,7 @@
 
 namespace clers {
 
-inline constexpr std::uint32_t format_major = 0, format_minor = 1;
+inline constexpr std::uint32_t format_major = 0, format_minor = 2;
 
 /// Kinds of sections; the numbers are the file format's.
 enum class SectionKind : std::uint8_t {
@@ -23,6 +23,7 @@ enum class SectionKind : std::uint8_t {
   order = 4,
   pieces = 5,
   seam = 6,
+  metadata = 7,
 };
 
 /// Writes a file section by section.

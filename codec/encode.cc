@@ -8,6 +8,7 @@
 
 #include "codec/container.h"
 #include "codec/mesh_encoder.h"
+#include "codec/metadata.h"
 #include "codec/parallel.h"
 #include "codec/partition.h"
 #include "codec/pieces.h"
@@ -120,6 +121,12 @@ Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& opti
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     EncodedMesh coded = finish(std::move(works[i]), meshes[i], options);
     for (const EncodedSection& section : coded.sections) out.section(section.kind, section.payload);
+    if (!meshes[i].metadata.empty()) {
+      auto metadata = encode_metadata(meshes[i].metadata);
+      if (!metadata) return in_mesh(metadata.error(), i, meshes.size());
+      coded.info.metadata_bytes = metadata->size();
+      out.section(SectionKind::metadata, *metadata);
+    }
     if (!coded.shape_known) {
       auto shape = measure(meshes[i]);
       if (!shape) return in_mesh(shape.error(), i, meshes.size());

@@ -66,7 +66,10 @@ Expected<FileInfo> inspect(std::span<const std::byte> bytes) try {
     auto shape = measure(faces);
     if (!shape) return Failure{shape.error()};
     mesh.shape = *shape;
-    info.overhead_bytes -= mesh.connectivity_bytes + mesh.position_bytes + mesh.attribute_bytes;
+    mesh.metadata = std::move(faces.metadata);
+    if (s.metadata) mesh.metadata_bytes = s.metadata->payload_size;
+    info.overhead_bytes -=
+        mesh.connectivity_bytes + mesh.position_bytes + mesh.attribute_bytes + mesh.metadata_bytes;
     info.meshes.push_back(std::move(mesh));
   }
   return info;

@@ -386,6 +386,11 @@ Expected<Done> put_piece(const PieceSections& sections, const Mesh& piece, Mesh&
 
 Expected<Done> finish_mesh(const MeshSections& sections, Mesh& mesh) {
   mesh.name = sections.name;
+  if (sections.metadata) {
+    auto metadata = decode_metadata(*sections.metadata);
+    if (!metadata) return Failure{metadata.error()};
+    mesh.metadata = std::move(*metadata);
+  }
   if (sections.pieces.size() > 1) drop_sizes_of_triangles(mesh);
   if (sections.order.bytes.empty()) return Done{};
   FileOrder order;

@@ -11,6 +11,7 @@
 #include "codec/duplicates.h"
 #include "codec/file_order.h"
 #include "codec/loose_faces.h"
+#include "codec/metadata.h"
 #include "codec/mesh_features.h"
 #include "codec/parallel.h"
 #include "codec/plain_faces.h"
@@ -70,6 +71,8 @@ Expected<Done> check_arrays(const Mesh& mesh) {
                 "has vertex " + std::to_string(mesh.corners[h]) + ", expected one below " +
                     std::to_string(mesh.vertex_count));
   }
+  if (std::string what = objection(mesh.metadata); !what.empty())
+    return fail(ErrorCode::inconsistent_mesh, std::move(what));
   for (const Attribute& a : mesh.attributes) {
     if (a.name.size() > 255)
       return fail(ErrorCode::inconsistent_mesh, "an attribute's name is longer than 255 bytes");

@@ -185,6 +185,7 @@ class MeshesReader {
         return Done{};
       default: break;
     }
+    if (section.kind == SectionKind::metadata) return add_metadata(section);
     MeshSections& mesh = meshes.back();  // an order
     if (pieces_to_come_ > 0 || !mesh.order.bytes.empty() ||
         (mesh.pieces.size() == 1 && piece.features == feature::plain))
@@ -280,6 +281,17 @@ class MeshesReader {
     const std::uint64_t size = attribute->count * attribute->header.attribute.stride();
     if (!spend(size)) return over(section.at, "bytes for values and more", size, limits_.memory);
     piece.attributes.push_back(std::move(*attribute));
+    return Done{};
+  }
+
+  Expected<Done> add_metadata(const Section& section) {
+    MeshSections& mesh = meshes.back();
+    if (pieces_to_come_ > 0 || mesh.metadata) return invalid(section, "metadata where none can be");
+    auto header = read_metadata_header(section.payload, section.at);
+    if (!header) return Failure{header.error()};
+    if (!spend(header->memory()))
+      return over(section.at, "bytes for metadata and more", header->memory(), limits_.memory);
+    mesh.metadata = *header;
     return Done{};
   }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "codec/container.h"
 #include "codec/decode.h"
 #include "codec/mesh_features.h"
+#include "codec/metadata.h"
 
 namespace clers {
 
@@ -60,6 +62,7 @@ struct MeshSections {
   std::vector<PieceSections> pieces;  ///< one at least
   std::uint64_t vertices = 0, faces = 0, corners = 0;
   PieceSections::Stream order;
+  std::optional<MetadataHeader> metadata;
   std::string name;
 
   bool may_have_sizes() const {

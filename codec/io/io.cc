@@ -68,11 +68,19 @@ Expected<Done> check(const Mesh& mesh, std::size_t number) {
   return Done{};
 }
 
+template <class Read>
+Expected<ReadResult> read_text(std::string_view file, Read read) {
+  const std::string_view text = without_padding(file);
+  Expected<ReadResult> result = read(text);
+  if (result) note_padding(result->notes, file.size() - text.size());
+  return result;
+}
+
 Expected<ReadResult> read_as(std::span<const std::byte> bytes, Format format) {
   switch (format) {
     case Format::ply: return read_ply(as_text(bytes));
-    case Format::obj: return read_obj(as_text(bytes));
-    case Format::off: return read_off(as_text(bytes));
+    case Format::obj: return read_text(as_text(bytes), read_obj);
+    case Format::off: return read_text(as_text(bytes), read_off);
     case Format::stl: return read_stl(as_text(bytes));
   }
   return fail(ErrorCode::unsupported, "expected a known format");
@@ -163,6 +171,24 @@ void note_left_out(Notes& notes, std::uint64_t count, std::string_view one, std:
   notes.push_back(std::move(note));
 }
 
+void note_padding(Notes& notes, std::size_t bytes) {
+  if (bytes > 0)
+    note_remark(notes, bytes, counted(bytes, "byte", "bytes"),
+                std::string(bytes == 1 ? "was" : "were") + " padding at the end of the file");
+}
+
+std::string some(const std::set<std::string>& names) {
+  constexpr std::size_t most = 3;
+  std::string text;
+  std::size_t shown = 0;
+  for (const std::string& name : names) {
+    if (shown == most) return text + " and " + std::to_string(names.size() - most) + " more";
+    if (shown++ > 0) text += ", ";
+    text += quoted(name);
+  }
+  return text;
+}
+
 void note_remark(Notes& notes, std::uint64_t count, std::string what, std::string_view became) {
   std::string text = what + ' ' + std::string(became);
   notes.push_back({Note::Kind::remark, count, std::move(what), std::move(text)});
@@ -176,6 +202,36 @@ const std::string* metadata(const Mesh& mesh, std::string_view key) {
 
 void set_metadata(Mesh& mesh, std::string_view key, std::string value) {
   mesh.metadata.push_back({std::string(key), std::move(value)});
+}
+
+void note_metadata_left_out(Notes& notes, const Mesh& mesh,
+                            std::initializer_list<std::string_view> written) {
+  std::set<std::string> others;
+  for (const MetadataEntry& entry : mesh.metadata) {
+    if (std::find(written.begin(), written.end(), entry.key) != written.end()) continue;
+    const auto lines =
+        1 + static_cast<std::uint64_t>(std::count(entry.value.begin(), entry.value.end(), '\n'));
+    if (entry.key == comment_key)
+      note_left_out(notes, lines, "comment", "comments");
+    else if (entry.key == obj_info_key)
+      note_left_out(notes, lines, "line obj_info", "lines obj_info");
+    else if (entry.key == header_key)
+      note_left_out(notes, 1, "header of binary STL", {});
+    else if (entry.key == properties_key)
+      note_remark(notes, lines, counted(lines, "name", "names"),
+                  "of properties of PLY became those of this format");
+    else if (entry.key != source_key)
+      others.insert(entry.key);
+  }
+  note_left_out(notes, others.size(), "entry of metadata", "entries of metadata", some(others));
+}
+
+void write_comments(Output& out, const Mesh& mesh) {
+  for_each_line(mesh, comment_key, [&](std::string_view line) {
+    out << '#';
+    for (const char c : line) out << (c == '\r' ? ' ' : c);
+    out << '\n';
+  });
 }
 
 std::optional<Source> source_of(const Mesh& mesh) {

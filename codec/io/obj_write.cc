@@ -39,17 +39,28 @@ class Writer {
     if (mesh.vertex_count > 0 && (!position || position->components != 3))
       return fail(ErrorCode::unsupported, "expected positions with 3 components");
     const Attribute* color = find(mesh, "color", Domain::vertex);
-    if (color && (!is_float(*color) || (color->components != 3 && color->components != 4)))
+    if (color && (!(is_float(*color) || color->scalar == Scalar::uint8) ||
+                  (color->components != 3 && color->components != 4)))
       color = nullptr;
+    const Attribute* const kept_color = color;
+    Attribute floats;
+    if (color && color->scalar == Scalar::uint8) color = &(floats = as_255ths(*color));
     texcoords_.attribute = by_corner(mesh, "texcoord", 1, 3);
     normals_.attribute = by_corner(mesh, "normal", 3, 3);
     for (const Attribute& a : mesh.attributes) {
-      if (&a == position || &a == color || &a == texcoords_.attribute || &a == normals_.attribute)
+      if (&a == position || &a == kept_color || &a == texcoords_.attribute ||
+          &a == normals_.attribute)
         note_kept(a);
       else
         note_left_out(notes_, a);
     }
 
+    if (color && !color->data.empty() && color->scalar == Scalar::float32 &&
+        of_255ths(*color).scalar == Scalar::uint8 && color == kept_color)
+      note_remark(notes_, 1, label(*color), "is all 255ths and reads back as bytes");
+    note_metadata_left_out(notes_, mesh, {comment_key});
+
+    write_comments(out_, mesh);
     if (named) out_ << "o " << one_line(mesh.name) << '\n';
     for (std::size_t v = 0; v < mesh.vertex_count; ++v) {
       out_ << 'v';
@@ -76,9 +87,10 @@ class Writer {
 
   void note_kept(const Attribute& a) {
     note_lost_nans(notes_, a);
-    if (!is_float(a)) note_line(notes_, label(a) + " reads back as floating point");
+    if (!is_float(a) && a.name != "color")
+      note_remark(notes_, 1, label(a), "reads back as floating point");
     if (a.domain == Domain::vertex && a.name != position_name && a.name != "color")
-      note_line(notes_, label(a) + " is written by corner");
+      note_remark(notes_, 1, label(a), "is written by corner");
   }
 
   void values(const Attribute& a, std::size_t index) {
@@ -118,9 +130,7 @@ class Writer {
       }
       out_ << '\n';
     }
-    if (empty)
-      note_line(notes_, counted(empty, "face without corners was", "faces without corners were") +
-                            " left out");
+    note_left_out(notes_, empty, "face without corners", "faces without corners");
   }
 
   // A name must not begin a new statement.
@@ -144,8 +154,8 @@ Expected<Done> write_obj(std::span<const Mesh> meshes, Output& out, Notes& notes
     if (Expected<Done> done = writer.write(mesh, meshes.size() > 1 || !mesh.name.empty()); !done)
       return done;
   if (meshes.size() > 1)
-    note_line(notes, std::to_string(meshes.size()) +
-                         " meshes became objects of one file, which reads back as one mesh");
+    note_remark(notes, meshes.size(), std::to_string(meshes.size()) + " meshes",
+                "became objects of one file, which reads back as one mesh");
   return Done{};
 }
 

@@ -294,8 +294,7 @@ Expected<Done> Body::end(Notes& notes) const {
     text.skip(at_);
     if (!text.at_end()) return text.expected("the end of the file after the last element");
   } else if (!rest.empty()) {
-    note_line(notes, counted(rest.size(), "byte", "bytes") + " after the last element " +
-                         (rest.size() == 1 ? "was" : "were") + " left out");
+    note_left_out(notes, rest.size(), "byte", "bytes", "after the last element");
   }
   return Done{};
 }

@@ -85,6 +85,13 @@ inline bool notes_say(const Notes& notes, std::string_view text) {
                      [&](const Note& note) { return note.text.find(text) != std::string::npos; });
 }
 
+/// "none" if there is no such entry.
+inline std::string metadata_of(const Mesh& mesh, std::string_view key) {
+  for (const MetadataEntry& e : mesh.metadata)
+    if (e.key == key) return e.value;
+  return "none";
+}
+
 /// Equal in all but the order in which attributes of vertices and others alternate.
 inline ::testing::AssertionResult same(const Mesh& a, const Mesh& b) {
   const auto differ = [](auto&&... what) {
