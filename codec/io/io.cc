@@ -216,7 +216,7 @@ void note_metadata_left_out(Notes& notes, const Mesh& mesh,
     else if (entry.key == obj_info_key)
       note_left_out(notes, lines, "line obj_info", "lines obj_info");
     else if (entry.key == header_key)
-      note_left_out(notes, 1, "header of binary STL", {});
+      note_left_out(notes, 1, "the header of a binary STL", {});
     else if (entry.key == properties_key)
       note_remark(notes, lines, counted(lines, "name", "names"),
                   "of properties of PLY became those of this format");

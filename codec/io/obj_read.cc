@@ -72,7 +72,7 @@ class Reader {
       if (Expected<Done> done = statement(); !done) return Failure<Error>{done.error()};
     if (unknown_at_ && positions_.count == 0 && face_sizes_.empty())
       return text_.malformed(unknown_at_, "expected a statement such as 'v' or 'f', found " +
-                                              quoted(*statements_[unknown].begin()));
+                                              quoted(Text({unknown_at_, text_.at()}).token()));
     // A face may come before its vertices, so that only now the indices can be judged.
     for (const Values& v : values_) {
       if (&v != &positions_ && v.count == 0) continue;  // none are there to be used
@@ -83,7 +83,8 @@ class Reader {
       if (v.largest_at && v.largest >= v.count)
         return text_.malformed(v.largest_at, "expected " + std::string(v.noun) +
                                                  " index of at most " + std::to_string(v.count) +
-                                                 ", found " + std::to_string(v.largest + 1));
+                                                 ", found " + std::to_string(v.largest + 1) +
+                                                 swallowed());
     }
     return finish();
   }
@@ -125,6 +126,13 @@ class Reader {
       rest += line;
     }
     return rest;
+  }
+
+  // What may be why something is missing.
+  std::string swallowed() const {
+    if (swallowed_ == 0) return {};
+    return " (but " + quoted(first_swallowed_) +
+           " is part of a name, since the line before it ends in a backslash)";
   }
 
   // Coordinates, then nothing, a weight, or a colour without or with alpha.

@@ -13,6 +13,22 @@ bool is_float(const Attribute& a) {
   return a.scalar == Scalar::float32 || a.scalar == Scalar::float64;
 }
 
+// Whether colours are 255ths all, which is how bytes are written.
+bool reads_back_as_bytes(const Attribute& color) {
+  if (!is_float(color) || color.data.empty()) return false;
+  if (color.scalar == Scalar::float32) return of_255ths(color).scalar == Scalar::uint8;
+  Attribute narrow{color.name, color.domain, Scalar::float32, color.components, {}};
+  for (std::size_t i = 0; i < color.data.size(); i += sizeof(double)) {
+    double wide;
+    std::memcpy(&wide, color.data.data() + i, sizeof wide);
+    const auto value = static_cast<float>(wide);
+    if (static_cast<double>(value) != wide) return false;
+    const auto* bytes = reinterpret_cast<const std::byte*>(&value);
+    narrow.data.insert(narrow.data.end(), bytes, bytes + sizeof value);
+  }
+  return of_255ths(std::move(narrow)).scalar == Scalar::uint8;
+}
+
 // What the corners of a mesh use of a kind of value, vt or vn.
 struct ByCorner {
   std::string_view statement;
@@ -55,8 +71,7 @@ class Writer {
         note_left_out(notes_, a);
     }
 
-    if (color && !color->data.empty() && color->scalar == Scalar::float32 &&
-        of_255ths(*color).scalar == Scalar::uint8 && color == kept_color)
+    if (kept_color && reads_back_as_bytes(*kept_color))
       note_remark(notes_, 1, label(*color), "is all 255ths and reads back as bytes");
     note_metadata_left_out(notes_, mesh, {comment_key});
 

@@ -39,16 +39,18 @@ class HeaderReader {
     const std::string_view rest = file_.substr(text_.offset());
     // Where lines end in CR alone, an LF behind the last one is the first byte of the body.
     const bool bare_cr = rest.starts_with('\r') && !rest.starts_with("\r\n");
+    const bool lf_cr = rest.starts_with("\n\r") && !rest.starts_with("\n\r\n");
     text_.next_line();
     for (;;) {
       line_ = text_.at();
       Expected<bool> more = line();
       if (!more) return Failure<Error>{more.error()};
       if (!text_.at_line_end()) return text_.expected("the end of the line");
-      if (!*more && bare_cr)
+      if (!*more && bare_cr && text_.remaining() > 0)
         text_.skip(1);
       else
         text_.next_line();
+      if (!*more && lf_cr && file_.substr(text_.offset()).starts_with('\r')) text_.skip(1);
       if (!*more) break;
     }
     header_.size = text_.offset();
@@ -60,7 +62,8 @@ class HeaderReader {
   Expected<bool> line() {
     constexpr std::string_view keywords =
         "'element', 'property', 'comment', 'obj_info' or 'end_header'";
-    if (text_.at_line_end()) return text_.expected(keywords);
+    if (text_.at_end()) return text_.expected(keywords);
+    line_ = text_.at();
     const std::string_view keyword = text_.token();
     if (keyword == "comment") return comment();
     if (keyword == "obj_info") {

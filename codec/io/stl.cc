@@ -52,6 +52,7 @@ Vector normal_of(const float* p) {
 class Normals {
  public:
   void add(const double* normal, const float* corners) {
+    ++facets_;
     if (normal[0] == 0 && normal[1] == 0 && normal[2] == 0) return;  // "find it yourself"
     ++all_;
     const Vector n = normal_of(corners);
@@ -60,6 +61,7 @@ class Normals {
           std::fabs(n.z - normal[2]) <= most))
       ++others_;
   }
+  std::uint64_t facets() const { return facets_; }
   void note(Notes& notes) const {
     note_left_out(notes, others_, "facet normal", "facet normals",
                   "not the normals of the corners");
@@ -69,7 +71,7 @@ class Normals {
   }
 
  private:
-  std::uint64_t all_ = 0, others_ = 0;
+  std::uint64_t facets_ = 0, all_ = 0, others_ = 0;
 };
 
 // Corners' positions -> a mesh of the positions that differ. 0.0 and -0.0 are one place; the vertex
@@ -208,6 +210,9 @@ class TextReader {
     else
       note_left_out(result.notes, names_.size(), "solid", "solids", "they became one mesh");
     note_left_out(result.notes, colors_, "colour", "colours");
+    if (open_)
+      result.notes.push_back({Note::Kind::loss, 1, "line endsolid",
+                              "the line endsolid is missing: the file may be cut short"});
     return result;
   }
 
@@ -225,7 +230,11 @@ class TextReader {
       // Some programs write the name without a blank.
       if (same_word(text_.token().substr(0, 8), "endsolid")) break;
       text_ = before;
-      if (!named && text_.at_end()) break;
+      if (words({"end", "solid"})) break;
+      if (text_.at_end() && normals_.facets() > 0) {
+        open_ = named;
+        break;
+      }
       if (color()) continue;
       if (Expected<Done> done = facet(); !done) return done;
     }
@@ -255,9 +264,10 @@ class TextReader {
     }
     normals_.add(normal, corners);
     color();
-    if (!words({"endloop"})) return text_.expected("'endloop' after three vertices");
+    if (!words({"endloop"}) && !words({"end", "loop"}))
+      return text_.expected("'endloop' after three vertices");
     color();
-    if (!words({"endfacet"})) return text_.expected("'endfacet'");
+    if (!words({"endfacet"}) && !words({"end", "facet"})) return text_.expected("'endfacet'");
     return Done{};
   }
 
@@ -274,9 +284,10 @@ class TextReader {
   }
 
   bool words(std::initializer_list<std::string_view> lower_case) {
+    text_.skip_space();
+    const Text before = text_;
     for (const std::string_view word : lower_case) {
       text_.skip_space();
-      const Text before = text_;
       if (same_word(text_.token(), word)) continue;
       text_ = before;
       return false;
@@ -288,6 +299,7 @@ class TextReader {
   Numbers positions_;
   Normals normals_;
   std::uint64_t colors_ = 0;
+  bool open_ = false;  // the last solid has no end
   std::vector<std::string> names_;
 };
 
@@ -302,6 +314,7 @@ bool is_binary(std::string_view file, std::string_view without_padding) {
   text.skip_space();
   const std::string_view word = text.token();
   if (!same_word(word, "solid") && !same_word(word, "facet")) return true;
+  if (file.size() == header_size && file.find_first_of("\r\n") == file.npos) return true;
   const std::string_view start = without_padding.substr(0, 512);
   return std::any_of(start.begin(), start.end(),
                      [](char c) { return c >= 0 && c < ' ' && !(c >= '\t' && c <= '\r'); });

@@ -200,7 +200,7 @@ INSTANTIATE_TEST_SUITE_P(
         off("OFF\n1 999999 0\n0 0 0\n", line(2, "1 vertex and 999999 faces, which")),
         off("OFF\n2 0 0\n0 0 0\n0 0 # \n\n", line(4, "expected a coordinate, found the end")),
         off("OFF\n2 0 0\n0 0 0\n0 0 a b c\n", line(4, "expected a coordinate, found 'a'")),
-        off("OFF\n1 0 0\n0 0 0 0\n", line(3, "expected the end of the line, found '0'")),
+        off("OFF\n1 0 0\n0 0 0 0\n", line(3, "or a colour of 3 or 4 numbers, found '0'")),
         off("NOFF\n1 0 0\n0 0 0 0 0 x\n", line(3, "a component of a normal, found 'x'")),
         off("COFF\n1 0 0\n0 0 0 1 1\n", line(3, "a colour of 3 or 4 numbers")),
         off("COFF\n1 0 0\n0 0 0 1 1 x\n", line(3, "expected a number of a colour, found 'x'")),

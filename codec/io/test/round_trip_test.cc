@@ -141,8 +141,18 @@ RC_GTEST_PROP(RoundTrip, ObjKeepsPositionsColoursAndCorners, ()) {
   if (*rc::gen::arbitrary<bool>() && !mesh.corners.empty())
     add(mesh, "normal", Domain::corner, random_float(), 3);
   const WriteResult written = must_write(mesh, Format::obj);
-  RC_ASSERT(written.notes.empty());
-  const Mesh read = must_read(written.bytes, Format::obj).meshes[0];
+  Mesh read = must_read(written.bytes, Format::obj).meshes[0];
+  // Colours that are 255ths all come back as bytes, which is said.
+  std::size_t as_bytes = 0;
+  for (Attribute& a : read.attributes) {
+    if (a.scalar != Scalar::uint8) continue;
+    ++as_bytes;
+    std::vector<float> values;
+    for (const std::uint8_t k : values_of<std::uint8_t>(a))
+      values.push_back(static_cast<float>(k) / 255);
+    a = attribute(a.name, a.domain, a.components, values);
+  }
+  RC_ASSERT(written.notes.size() == as_bytes);
   narrow_as(mesh, read);
   RC_ASSERT(same(read, mesh));
 }
