@@ -127,11 +127,6 @@ Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& opti
       coded.info.metadata_bytes = metadata->size();
       out.section(SectionKind::metadata, *metadata);
     }
-    if (!coded.shape_known) {
-      auto shape = measure(meshes[i]);
-      if (!shape) return in_mesh(shape.error(), i, meshes.size());
-      coded.info.shape = *shape;
-    }
     result.permutations.push_back(std::move(coded.order));
     result.report.push_back(std::move(coded.info));
   }

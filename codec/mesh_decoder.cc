@@ -9,6 +9,7 @@
 #include "codec/loose_faces.h"
 #include "codec/parallel.h"
 #include "codec/plain_faces.h"
+#include "codec/repeated_faces.h"
 #include "codec/polygons.h"
 #include "codec/seams.h"
 #include "codec/stitching.h"
@@ -78,15 +79,42 @@ Expected<std::vector<std::uint32_t>> decode_sizes(const PieceSections& sections,
 Expected<Done> stitch(const PieceSections& sections, std::span<std::uint32_t> triangles) {
   rans::Decoder in(sections.stitches.bytes);
   DecodeFrom coder(in);
-  std::vector<std::uint32_t> classes(sections.connectivity.vertices, Stitching::unknown);
-  if (!Stitching(triangles, sections.connectivity.vertices).code(coder, classes))
-    return broken(sections.stitches, "a vertex is a copy of none");
+  std::vector<std::uint32_t> classes(sections.connectivity.vertices);
+  if (!Stitching(triangles, sections.connectivity.vertices,
+                 static_cast<std::uint32_t>(sections.copies))
+           .code(coder, classes))
+    return broken(sections.stitches, "a vertex is a copy of none, or there are not " +
+                                         std::to_string(sections.copies) + " copies");
   if (auto ok = finished(in, sections.stitches, "the copies"); !ok) return ok;
-  if (number_classes(classes) != sections.surface_vertices)
-    return broken(sections.stitches,
-                  "not " + std::to_string(sections.copies) + " copies, as it was said");
+  number_classes(classes);
   for (std::uint32_t& v : triangles) v = classes[v];
   return Done{};
+}
+
+/// Appends the faces that repeat one of the surface, whose corners are in `corners` already.
+Expected<Done> append_repeats(const PieceSections& sections, std::vector<std::uint32_t>& sizes,
+                              std::vector<std::uint32_t>& corners) {
+  rans::Decoder in(sections.repeats.bytes);
+  DecodeFrom coder(in);
+  RepeatModel model;
+  std::uint64_t left = sections.repeated_corners;
+  std::uint32_t face = 0;
+  std::size_t begin = 0;  // of the face, in corners
+  for (std::uint64_t i = 0; i < sections.repeated_faces; ++i) {
+    const RepeatModel::Code repeat = model.code(coder, {});
+    if (repeat.base < face || repeat.base >= sections.surface_faces)
+      return broken(sections.repeats, "repeated face " + std::to_string(i) + " repeats none");
+    for (; face < repeat.base; ++face) begin += sizes.empty() ? 3 : sizes[face];
+    const std::uint32_t size = sizes.empty() ? 3 : sizes[face];
+    if (size > left) return broken(sections.repeats, "more repeated corners than declared");
+    left -= size;
+    if (!sizes.empty()) sizes.push_back(size);
+    corners.push_back(corners[begin]);
+    for (std::uint32_t j = 1; j < size; ++j)
+      corners.push_back(corners[begin + (repeat.reversed ? size - j : j)]);
+  }
+  if (left != 0) return broken(sections.repeats, "fewer repeated corners than declared");
+  return finished(in, sections.repeats, "the repeated faces");
 }
 
 Expected<Done> append_loose(const PieceSections& sections, std::span<const std::uint32_t> triangles,
@@ -151,10 +179,14 @@ void reorder(Attribute& a, std::size_t values, Source source) {
 /// A piece without attributes, and the triangles that those are predicted along.
 struct DecodedFaces {
   Mesh mesh;
-  bool all_on_surface = true;            ///< mesh.corners are the triangles of the surface
-  std::vector<std::uint32_t> triangles;  ///< otherwise those, or fans of plain faces
+  std::size_t surface_corners = 0;       ///< so many of mesh.corners are those triangles
+  std::vector<std::uint32_t> triangles;  ///< or, with polygons, these are
   std::vector<TurnedRun> turned;
   ConnectivityCounts counts;
+
+  std::span<const std::uint32_t> predicted_along() const {
+    return triangles.empty() ? std::span(mesh.corners).first(surface_corners) : triangles;
+  }
 };
 
 /// Decodes the triangles of the surface, by vertices of the mesh but for polygons and turned faces.
@@ -186,47 +218,57 @@ Expected<DecodedSurface> decode_surface(const PieceSections& sections,
   return result;
 }
 
+/// The polygons that triangles make.
+void make_polygons(std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> sizes,
+                   std::vector<std::uint32_t>& corners) {
+  const std::uint32_t* t = triangles.data();
+  for (const std::uint32_t size : sizes) {
+    corners.insert(corners.end(), {t[0], t[1]});
+    for (std::uint32_t k = size - 2; k-- > 0;) corners.push_back(t[3 * std::size_t(k) + 2]);
+    t += 3 * std::size_t(size - 2);
+  }
+}
+
 Expected<DecodedFaces> decode_faces(const PieceSections& sections) {
   DecodedFaces result;
   Mesh& mesh = result.mesh;
   mesh.vertex_count = static_cast<std::uint32_t>(sections.vertices);
   if (sections.features == feature::plain) {
     if (auto ok = decode_plain(sections, mesh); !ok) return Failure{ok.error()};
-    result.all_on_surface = mesh.triangles_only();
-    if (!result.all_on_surface) result.triangles = fan_triangles(mesh.corners, mesh.face_sizes);
+    result.surface_corners = mesh.corners.size();
+    if (!mesh.triangles_only()) result.triangles = fan_triangles(mesh.corners, mesh.face_sizes);
     return result;
   }
-  std::vector<std::uint32_t> triangles(3 * std::size_t(sections.connectivity.faces));
+  const bool polygons = sections.features & feature::polygons;
+  const std::size_t surface_corners = 3 * std::size_t(sections.connectivity.faces);
+  std::vector<std::uint32_t> triangles;
+  // What is appended to triangles finds room behind them.
+  triangles.reserve(polygons ? surface_corners : static_cast<std::size_t>(sections.corners));
+  triangles.resize(surface_corners);
   auto surface = decode_surface(sections, triangles);
   if (!surface) return Failure{surface.error()};
   result.counts = surface->counts;
   result.turned = std::move(surface->turned);
-  std::vector<std::uint32_t>& sizes = surface->sizes;
-  if (!(sections.features & (feature::polygons | feature::loose))) {
-    mesh.corners = std::move(triangles);
-    return result;
-  }
-
-  mesh.corners.reserve(static_cast<std::size_t>(sections.corners));
-  mesh.face_sizes.reserve(static_cast<std::size_t>(sections.faces));
-  if (sections.features & feature::polygons) {
-    const std::uint32_t* t = triangles.data();
-    for (const std::uint32_t size : sizes) {
-      mesh.corners.insert(mesh.corners.end(), {t[0], t[1]});
-      for (std::uint32_t k = size - 2; k-- > 0;) mesh.corners.push_back(t[3 * std::size_t(k) + 2]);
-      t += 3 * std::size_t(size - 2);
-    }
-    mesh.face_sizes = std::move(sizes);
+  std::span<const std::uint32_t> along = triangles;
+  if (sections.may_have_sizes()) mesh.face_sizes.reserve(static_cast<std::size_t>(sections.faces));
+  if (polygons) {
+    mesh.corners.reserve(static_cast<std::size_t>(sections.corners));
+    make_polygons(triangles, surface->sizes, mesh.corners);
+    mesh.face_sizes.assign(surface->sizes.begin(), surface->sizes.end());
+    result.triangles = std::move(triangles);
+    along = result.triangles;
   } else {
-    mesh.corners = triangles;
-    mesh.face_sizes.assign(triangles.size() / 3, 3);
+    result.surface_corners = surface_corners;
+    mesh.corners = std::move(triangles);
+    if (sections.may_have_sizes()) mesh.face_sizes.assign(surface_corners / 3, 3);
   }
+  if (sections.features & feature::repeats)
+    if (auto ok = append_repeats(sections, mesh.face_sizes, mesh.corners); !ok)
+      return Failure{ok.error()};
   if (sections.features & feature::loose)
-    if (auto ok = append_loose(sections, triangles, mesh.face_sizes, mesh.corners); !ok)
+    if (auto ok = append_loose(sections, along, mesh.face_sizes, mesh.corners); !ok)
       return Failure{ok.error()};
   drop_sizes_of_triangles(mesh);
-  result.all_on_surface = false;
-  result.triangles = std::move(triangles);
   return result;
 }
 
@@ -256,15 +298,14 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
                                     unsigned threads) {
   auto decoded = decode_faces(sections);
   if (!decoded) return Failure{decoded.error()};
+  const std::span<const std::uint32_t> along = decoded->predicted_along();  // survives the move
   DecodedPiece result{std::move(decoded->mesh), decoded->counts, 0};
   if (values == Values::decode) {
-    const std::span<const std::uint32_t> triangles =
-        decoded->all_on_surface ? result.mesh.corners : decoded->triangles;
     std::vector<Expected<Attribute>> attributes(
         sections.attributes.size(), fail(ErrorCode::internal, "an attribute is not decoded"));
     for_each_item(attributes.size(), threads, [&](std::size_t i, unsigned) {
       const PieceSections::AttributeSection& a = sections.attributes[i];
-      attributes[i] = decode_attribute(a.bytes, a.at, a.header, a.count, triangles);
+      attributes[i] = decode_attribute(a.bytes, a.at, a.header, a.count, along);
     });
     for (auto& attribute : attributes) {
       if (!attribute) return Failure{attribute.error()};

@@ -56,6 +56,11 @@ Expected<Done> read_surface(const Section& section, ByteReader& in, PieceSection
     mesh.copies = in.varint();
     mesh.stitches = read_stream(in);
   }
+  if (mesh.features & feature::repeats) {
+    mesh.repeated_faces = in.varint();
+    mesh.repeated_corners = in.varint();
+    mesh.repeats = read_stream(in);
+  }
   if (mesh.features & feature::loose) {
     mesh.loose_faces = in.varint();
     mesh.loose_corners = in.varint();
@@ -82,6 +87,14 @@ Expected<Done> read_surface(const Section& section, ByteReader& in, PieceSection
   if (mesh.features & feature::copies && (mesh.copies == 0 || mesh.copies >= header->vertices))
     return invalid(std::to_string(mesh.copies) + " copies among " +
                    std::to_string(header->vertices) + " vertices");
+  if (mesh.features & feature::repeats) {
+    const std::uint64_t most = max_decisions_per_byte * mesh.repeats.bytes.size();
+    if (mesh.repeated_faces == 0 || mesh.repeated_faces > most ||
+        mesh.repeated_corners / 3 < mesh.repeated_faces || mesh.repeated_corners > max_corners)
+      return invalid(std::to_string(mesh.repeated_faces) + " repeated faces of " +
+                     std::to_string(mesh.repeated_corners) + " corners cannot be coded in " +
+                     std::to_string(mesh.repeats.bytes.size()) + " bytes");
+  }
   if (mesh.features & feature::loose) {
     const std::uint64_t most = max_decisions_per_byte * mesh.loose.bytes.size();
     if (mesh.loose_faces == 0 || mesh.loose_faces > most || mesh.loose_corners > most)
@@ -93,9 +106,9 @@ Expected<Done> read_surface(const Section& section, ByteReader& in, PieceSection
   if (others > 0xffffffffu - mesh.surface_vertices)
     return invalid(std::to_string(others) + " further vertices are more than there are numbers");
   mesh.vertices = mesh.surface_vertices + others;
-  mesh.faces = mesh.surface_faces + mesh.loose_faces;
+  mesh.faces = mesh.surface_faces + mesh.repeated_faces + mesh.loose_faces;
   // A polygon of n corners is n - 2 triangles.
-  mesh.corners = header->faces + 2 * mesh.surface_faces + mesh.loose_corners;
+  mesh.corners = header->faces + 2 * mesh.surface_faces + mesh.repeated_corners + mesh.loose_corners;
   if (mesh.corners > max_corners)
     return invalid(std::to_string(mesh.corners) + " corners are more than there are numbers");
   return Done{};

@@ -118,7 +118,7 @@ class Reader {
         done = faces(element, *columns);
       else if (element.name == "tristrips")
         done = strips(element, *columns);
-      else if (elements_.insert(element.name).second)
+      else if (element.count > 0 && elements_.insert(element.name).second)
         entries_ += element.count;
       if (!done) return Failure<Error>{done.error()};
     }

@@ -230,7 +230,7 @@ class TextReader {
       // Some programs write the name without a blank.
       if (same_word(text_.token().substr(0, 8), "endsolid")) break;
       text_ = before;
-      if (words({"end", "solid"})) break;
+      if (ends("solid")) break;
       if (text_.at_end() && normals_.facets() > 0) {
         open_ = named;
         break;
@@ -264,10 +264,10 @@ class TextReader {
     }
     normals_.add(normal, corners);
     color();
-    if (!words({"endloop"}) && !words({"end", "loop"}))
+    if (!ends("loop"))
       return text_.expected("'endloop' after three vertices");
     color();
-    if (!words({"endfacet"}) && !words({"end", "facet"})) return text_.expected("'endfacet'");
+    if (!ends("facet")) return text_.expected("'endfacet'");
     return Done{};
   }
 
@@ -284,15 +284,22 @@ class TextReader {
   }
 
   bool words(std::initializer_list<std::string_view> lower_case) {
-    text_.skip_space();
-    const Text before = text_;
     for (const std::string_view word : lower_case) {
       text_.skip_space();
+      const Text before = text_;
       if (same_word(text_.token(), word)) continue;
       text_ = before;
       return false;
     }
     return true;
+  }
+
+  // "endloop", which some programs write as two words.
+  bool ends(std::string_view what) {
+    const Text before = text_;
+    if (words({"end" + std::string(what)}) || words({"end", what})) return true;
+    text_ = before;
+    return false;
   }
 
   Text text_;

@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{Format::ply, "ply\nformat ascii 2.0\n", line(2, "expected version 1.0, found '2.0'")},
         Case{Format::ply, "ply\nformat ascii 1.0 x\n", line(2, "expected the end of the line")},
         ply("format ascii 1.0\n", line(3, "a second line 'format'")),
-        ply("\n", line(3, "found the end of the line")),
+        ply("\n", line(4, "found the end of the file")),
         ply("vertex 3\n", line(3, "'element', 'property'")),
         ply("property float x\n", line(3, "expected an element")),
         ply("element\n", line(3, "the name of the element")),
