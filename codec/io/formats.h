@@ -46,6 +46,8 @@ void note_left_out(Notes& notes, std::uint64_t count, std::string_view one, std:
 /// Notes that an attribute was left out.
 void note_left_out(Notes& notes, const Attribute& attribute, std::string_view why = {});
 
+std::string utf8_of_latin_1(std::string_view text);
+
 /// Up to three of them, in quotes: "'a', 'b', 'c' and 5 more".
 std::string some(const std::set<std::string>& names);
 

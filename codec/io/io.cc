@@ -6,6 +6,7 @@
 
 #include "codec/io/formats.h"
 #include "codec/io/numbers.h"
+#include "codec/utf8.h"
 
 namespace clers::io {
 
@@ -76,6 +77,13 @@ Expected<ReadResult> read_text(std::string_view file, Read read) {
   return result;
 }
 
+// Mesh files say nothing of their encoding: what is no UTF-8 is taken as Latin-1.
+void make_utf8(std::string& name, Notes& notes) {
+  if (is_utf8(name)) return;
+  name = utf8_of_latin_1(name);
+  note_remark(notes, 1, "the name " + quoted(name), "is not UTF-8 and was read as Latin-1");
+}
+
 Expected<ReadResult> read_as(std::span<const std::byte> bytes, Format format) {
   switch (format) {
     case Format::ply: return read_ply(as_text(bytes));
@@ -105,7 +113,9 @@ Expected<ReadResult> read(std::span<const std::byte> bytes, Format format) {
   if (!result)
     if (const std::optional<std::string> kind = foreign_kind(bytes))
       return fail(ErrorCode::unsupported, "this is " + *kind);
-  if (result && (format == Format::obj || format == Format::off))
+  if (!result) return result;
+  make_utf8(result->meshes[0].name, result->notes);
+  if (format == Format::obj || format == Format::off)
     set_metadata(result->meshes[0], source_key, format == Format::obj ? "obj" : "off");
   return result;
 }
@@ -175,6 +185,18 @@ void note_padding(Notes& notes, std::size_t bytes) {
   if (bytes > 0)
     note_remark(notes, bytes, counted(bytes, "byte", "bytes"),
                 std::string(bytes == 1 ? "was" : "were") + " padding at the end of the file");
+}
+
+std::string utf8_of_latin_1(std::string_view text) {
+  std::string utf8;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80)
+      utf8 += c;
+    else
+      utf8 += {static_cast<char>(0xc0 | byte >> 6), static_cast<char>(0x80 | (byte & 0x3f))};
+  }
+  return utf8;
 }
 
 std::string some(const std::set<std::string>& names) {

@@ -24,22 +24,11 @@ bool claim_holds(const Claim& claim, const Element& element) {
                      [&](const Property& p) { return !p.count_type && p.type == first.type; });
 }
 
-// Names of properties may be any bytes.
+// Names of properties may be any bytes: most likely Latin-1.
 std::string as_attribute(std::string_view property) {
-  std::string name;
-  if (is_utf8(property)) {
-    name = property;
-  } else {  // most likely Latin-1
-    for (const char c : property) {
-      const auto byte = static_cast<unsigned char>(c);
-      if (byte < 0x80)
-        name += c;
-      else
-        name += {static_cast<char>(0xc0 | byte >> 6), static_cast<char>(0x80 | (byte & 0x3f))};
-    }
-  }
+  std::string name = is_utf8(property) ? std::string(property) : utf8_of_latin_1(property);
   if (name.size() > longest_name) name.resize(longest_name - 8);
-  while (!is_utf8(name)) name.pop_back();  // what was cut in the middle
+  name.resize(first_not_utf8(name));  // what was cut in the middle
   return name;
 }
 
@@ -78,7 +67,8 @@ std::vector<Entry> plan(const Element& element) {
   for (const Claim& claim : element.claims) {
     if (!claim_holds(claim, element)) continue;
     const bool list = element.properties[claim.first].count_type.has_value();
-    Entry entry{claim.name, list ? Domain::corner : domain, {claim.first}, claim.components};
+    Entry entry{
+        as_attribute(claim.name), list ? Domain::corner : domain, {claim.first}, claim.components};
     if (!list)
       while (entry.members.size() < claim.components)
         entry.members.push_back(entry.members.back() + 1);

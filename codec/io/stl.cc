@@ -264,8 +264,7 @@ class TextReader {
     }
     normals_.add(normal, corners);
     color();
-    if (!ends("loop"))
-      return text_.expected("'endloop' after three vertices");
+    if (!ends("loop")) return text_.expected("'endloop' after three vertices");
     color();
     if (!ends("facet")) return text_.expected("'endfacet'");
     return Done{};
@@ -296,6 +295,7 @@ class TextReader {
 
   // "endloop", which some programs write as two words.
   bool ends(std::string_view what) {
+    text_.skip_space();
     const Text before = text_;
     if (words({"end" + std::string(what)}) || words({"end", what})) return true;
     text_ = before;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "codec/io/test/meshes.h"
+#include "codec/utf8.h"
 
 namespace clers::io {
 namespace {
@@ -80,9 +81,18 @@ Scalar random_float() {
   return *rc::gen::element(Scalar::float32, Scalar::float64);
 }
 
+// UTF-8 of at most 255 bytes.
+std::string random_name() {
+  auto name = *rc::gen::arbitrary<std::string>();
+  name.resize(std::min<std::size_t>(first_not_utf8(name), 200));
+  name.resize(first_not_utf8(name));
+  if (*rc::gen::arbitrary<bool>()) name += "\xc3\xbc";
+  return name;
+}
+
 void ply_round_trip(Encoding encoding) {
   Mesh mesh = random_faces(0, 12);
-  mesh.name = *rc::gen::arbitrary<std::string>();
+  mesh.name = random_name();
   add(mesh, "first", Domain::vertex, Scalar::uint8, 1);
   const int n = *rc::gen::inRange(0, 8);
   for (int i = 0; i < n; ++i) {
@@ -90,7 +100,7 @@ void ply_round_trip(Encoding encoding) {
         rc::gen::element<std::string>("position", "normal", "color", "texcoord", "x", "y", "z", "s",
                                       "t", "u", "v", "red", "green", "blue", "alpha", "a", "a_1",
                                       "vertex_index", "list"),
-        rc::gen::arbitrary<std::string>());
+        rc::gen::exec([] { return random_name(); }));
     const Domain domain = *rc::gen::element(Domain::vertex, Domain::corner, Domain::face);
     const bool used =
         std::any_of(mesh.attributes.begin(), mesh.attributes.end(),
