@@ -166,9 +166,9 @@ class StreamingMatcher {
         result_.sides.push_back(static_cast<std::uint32_t>(misfits_[i]));
       if (second) {
         twins[first] = twins[second.index()] = HalfEdge();
-        const auto place = std::upper_bound(
-            result_.sides.begin() + static_cast<std::ptrdiff_t>(begin), result_.sides.end(),
-            second.index());
+        const auto place =
+            std::upper_bound(result_.sides.begin() + static_cast<std::ptrdiff_t>(begin),
+                             result_.sides.end(), second.index());
         result_.sides.insert(place, second.index());
       }
       result_.ends.push_back(static_cast<std::uint32_t>(result_.sides.size()));
@@ -217,8 +217,8 @@ class StreamingMatcher {
 
   const Faces& faces_;
   std::span<const std::uint32_t> org_;
-  const std::uint32_t nobody_;  ///< one past the last half-edge: whose twin nobody asks for
-  std::vector<Cell> cells_;     ///< by smaller end
+  const std::uint32_t nobody_;          ///< one past the last half-edge: whose twin nobody asks for
+  std::vector<Cell> cells_;             ///< by smaller end
   std::vector<std::uint64_t> misfits_;  ///< a side of the edge << 32 | one that does not fit it
   std::vector<std::pair<std::uint64_t, std::uint32_t>> spilled_;  ///< ends of the edge, half-edge
   Adjacency result_;

@@ -200,7 +200,8 @@ class Cutter {
     for (const std::uint32_t g : sides) {
       if (beyond(g) == one) continue;
       const bool direction = !same_direction(g, sides[0]);
-      if (next[direction] < waiting_[direction].size()) glue(g, waiting_[direction][next[direction]++]);
+      if (next[direction] < waiting_[direction].size())
+        glue(g, waiting_[direction][next[direction]++]);
     }
   }
 
@@ -272,9 +273,9 @@ class Cutter {
   }
 
   /// The side to glue to h, of those of its edge: one of another surface,
-  /// best one that need not be reversed and is no face on the same vertices. None if one of the same
-  /// surface suits better: it is zipped later, or else would make a handle, which costs more than
-  /// the copies of two vertices.
+  /// best one that need not be reversed and is no face on the same vertices. None if one of the
+  /// same surface suits better: it is zipped later, or else would make a handle, which costs more
+  /// than the copies of two vertices.
   std::uint32_t partner(std::uint32_t h) {
     constexpr unsigned patience = 8;
     struct Candidate {

@@ -27,9 +27,9 @@ struct CutSurface {
 /// Regions, which edges of two faces that run opposite ways connect, stay as they are. Where two
 /// regions meet along an edge in the same direction one of them is reversed; where that contradicts
 /// itself the surface has no orientation and is cut. Where more than two faces meet, two are glued
-/// if that joins two surfaces, best those that need no reversal and are not on the same vertices, or
-/// if it zips what lies side by side; never if it made a handle. Of the regions of a component the
-/// fewer faces are reversed. What remains apart at a vertex becomes several surface vertices.
+/// if that joins two surfaces, best those that need no reversal and are not on the same vertices,
+/// or if it zips what lies side by side; never if it made a handle. Of the regions of a component
+/// the fewer faces are reversed. What remains apart at a vertex becomes several surface vertices.
 ///
 /// Precondition: `adjacency` is that of the faces; every face has three corners or more and repeats
 /// no vertex, and vertices are below vertex_count. Cost: linear. Throws std::bad_alloc only.

@@ -108,7 +108,8 @@ Expected<Done> read_surface(const Section& section, ByteReader& in, PieceSection
   mesh.vertices = mesh.surface_vertices + others;
   mesh.faces = mesh.surface_faces + mesh.repeated_faces + mesh.loose_faces;
   // A polygon of n corners is n - 2 triangles.
-  mesh.corners = header->faces + 2 * mesh.surface_faces + mesh.repeated_corners + mesh.loose_corners;
+  mesh.corners =
+      header->faces + 2 * mesh.surface_faces + mesh.repeated_corners + mesh.loose_corners;
   if (mesh.corners > max_corners)
     return invalid(std::to_string(mesh.corners) + " corners are more than there are numbers");
   return Done{};

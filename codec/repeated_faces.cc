@@ -6,7 +6,8 @@
 namespace clers {
 namespace {
 
-/// A face as it is seen from its least vertex, first towards the lesser of its two neighbours there.
+/// A face as it is seen from its least vertex, first towards the lesser of its two neighbours
+/// there.
 class Cycle {
  public:
   Cycle(const Faces& faces, std::uint32_t side) : faces_(faces), at_(side) {
@@ -58,9 +59,8 @@ void keep_doubled(const Faces& faces, const Adjacency& adjacency, std::vector<Re
       continue;
     for (const std::uint32_t h : sides) ++good_sides[faces.face(h)];
   }
-  std::erase_if(repeats, [&](const Repeat& r) {
-    return 2 * good_sides[r.face] <= faces.size(r.face);
-  });
+  std::erase_if(repeats,
+                [&](const Repeat& r) { return 2 * good_sides[r.face] <= faces.size(r.face); });
 }
 
 }  // namespace

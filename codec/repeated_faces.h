@@ -18,8 +18,8 @@ struct Repeat {
 };
 
 /// Those at defective edges that are better left away: without them most of their edges have two
-/// faces at most. By ascending face. Precondition: `adjacency` is that of the faces. Cost: linear but
-/// for a sort of the faces of each defective edge.
+/// faces at most. By ascending face. Precondition: `adjacency` is that of the faces. Cost: linear
+/// but for a sort of the faces of each defective edge.
 std::vector<Repeat> find_repeats(const Faces& faces, const Adjacency& adjacency);
 
 /// Codes repeats by ascending base.

@@ -67,7 +67,8 @@ class Stitching {
 
  private:
   static constexpr std::uint32_t none = 0xffffffffu;
-  static constexpr unsigned most_listed = 16;  ///< neighbours of a vertex, so that hubs cost no more
+  static constexpr unsigned most_listed =
+      16;  ///< neighbours of a vertex, so that hubs cost no more
 
   void mark(std::span<const std::uint32_t> classes) {
     marks_.resize(vertices_);
@@ -132,7 +133,8 @@ class Stitching {
 
   template <class Visit>
   void for_each_neighbour(std::uint32_t i, Visit visit) const {
-    for (std::uint32_t k = first_[i]; k != none; k = neighbours_[k].next) visit(neighbours_[k].place);
+    for (std::uint32_t k = first_[i]; k != none; k = neighbours_[k].next)
+      visit(neighbours_[k].place);
   }
 
   /// Classes beside other members of the classes of known neighbours: first what is beside two of
@@ -185,10 +187,10 @@ class Stitching {
   std::vector<std::uint32_t> on_cut_;  ///< the vertices on cuts, ascending
   std::vector<std::uint32_t> place_;   ///< in `on_cut_`, of each vertex there
   // By place:
-  std::vector<std::uint32_t> first_;   ///< of the list of neighbours
-  std::vector<std::uint8_t> listed_;   ///< how many neighbours
-  std::vector<std::uint32_t> class_;   ///< place of the least vertex
-  std::vector<std::uint32_t> ring_;    ///< the next known member of the class
+  std::vector<std::uint32_t> first_;  ///< of the list of neighbours
+  std::vector<std::uint8_t> listed_;  ///< how many neighbours
+  std::vector<std::uint32_t> class_;  ///< place of the least vertex
+  std::vector<std::uint32_t> ring_;   ///< the next known member of the class
   std::vector<Neighbour> neighbours_;
   std::array<std::uint32_t, 24> candidate_{};
   unsigned candidates_ = 0, both_ = 0;

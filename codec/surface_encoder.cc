@@ -34,7 +34,8 @@ void put_turned(const Faces& faces, std::span<const std::uint32_t> reversed, Enc
   for (const std::uint32_t f : reversed) turned[f] = true;
   for (std::uint32_t i = 0; i < out.order.faces.size(); ++i) {
     const std::uint32_t f = out.order.faces[i];
-    if (turned[f]) out.order.first_corners[i] = turned_back(out.order.first_corners[i], faces.size(f));
+    if (turned[f])
+      out.order.first_corners[i] = turned_back(out.order.first_corners[i], faces.size(f));
   }
   rans::Encoder stream;
   EncodeTo coder(stream);

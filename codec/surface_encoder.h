@@ -20,7 +20,7 @@ struct EncodedSurface {
   std::uint32_t features = 0;
   std::uint64_t copies = 0, turned_faces = 0;
   std::uint64_t repeated_faces = 0, repeated_corners = 0;
-  std::vector<TurnedRun> runs;  ///< of turned faces
+  std::vector<TurnedRun> runs;                ///< of turned faces
   Bytes turned, polygons, stitches, repeats;  ///< streams, where there are any
   Bytes connectivity;
   ConnectivityCounts counts;
