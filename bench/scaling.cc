@@ -60,6 +60,11 @@ Mesh gyroid(double triangles) {
                         corpus::Ends::periodic);
 }
 
+// A handle for every twelve triangles.
+Mesh lattice(double triangles) {
+  return corpus::lattice(static_cast<std::uint32_t>(std::max(1.0, std::cbrt(triangles / 24))));
+}
+
 struct Shape {
   const char* name;
   Make make;
@@ -71,6 +76,7 @@ constexpr Shape shapes[] = {
     {"icosphere", icosphere, false},
     {"flipped grid", flipped_grid, false},
     {"gyroid", gyroid, false},
+    {"lattice", lattice, false},
     {"torus, shuffled", torus, true},
     {"icosphere, shuffled", icosphere, true},
     {"flipped grid, shuffled", flipped_grid, true},

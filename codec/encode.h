@@ -65,10 +65,11 @@ struct Permutation {
 struct Encoded {
   std::vector<std::byte> bytes;
   std::vector<Permutation> permutations;  ///< one for each mesh
-  std::vector<MeshInfo> report;           ///< one for each mesh: what was found and what it costs.
-                                          ///< Of the shape of a mesh in pieces it has vertices,
-                                          ///< faces, triangles and isolated vertices: inspect()
-                                          ///< measures the rest
+  std::vector<MeshInfo> report;           ///< one for each mesh: what it costs, and what coding it
+                                          ///< showed. Of the shape that is vertices, faces,
+                                          ///< triangles and isolated vertices, and of a mesh in one
+                                          ///< piece components, boundary curves and genus of the
+                                          ///< surface that was coded. measure() tells all
 };
 
 /// Encodes meshes into one .clers file.

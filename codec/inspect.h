@@ -46,7 +46,8 @@ struct AttributeInfo {
 struct Cuts {
   std::uint64_t turned_faces = 0;     ///< ran against their component
   std::uint64_t copied_vertices = 0;  ///< the surface has more vertices than the mesh by as many
-  std::uint64_t loose_faces = 0;      ///< told apart: degenerate ones
+  std::uint64_t repeated_faces = 0;   ///< coded as references to another face
+  std::uint64_t loose_faces = 0;      ///< coded separately because degenerate
 };
 
 /// One mesh of a file.

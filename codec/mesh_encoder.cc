@@ -350,9 +350,23 @@ class MeshEncoder {
     return out;
   }
 
+  /// Vertices that loose faces have and the surface has not.
+  std::uint64_t vertices_of_loose() {
+    if (loose_.empty()) return 0;
+    std::vector<bool> counted(mesh_.vertex_count);
+    for (std::uint32_t i = 0; i < surface_vertices_; ++i) counted[order().vertices[i]] = true;
+    std::uint64_t count = 0;
+    for (const std::uint32_t f : loose_)
+      for (const std::uint32_t v : cycle_of(f)) {
+        count += !counted[v];
+        counted[v] = true;
+      }
+    return count;
+  }
+
   void describe(const EncodedSurface& coded) {
     info().name = mesh_.name;
-    info().cuts = {coded.turned_faces, coded.copies, loose_.size()};
+    info().cuts = {coded.turned_faces, coded.copies, coded.repeated_faces, loose_.size()};
     info().clers = in_word_order(coded.counts.letters);
     info().polygon_bytes = coded.polygons.size();
     info().stitching_bytes =
@@ -364,7 +378,7 @@ class MeshEncoder {
     shape.components = coded.counts.components;
     shape.boundary_curves = coded.counts.boundary_curves;
     shape.genus = coded.counts.handles;
-    shape.isolated_vertices = mesh_.vertex_count - surface_vertices_;
+    shape.isolated_vertices = mesh_.vertex_count - surface_vertices_ - vertices_of_loose();
   }
 
   template <class Progress>

@@ -19,6 +19,7 @@ void add(const MeshInfo& piece, std::uint64_t shared, MeshInfo& whole) {
   whole.shape.triangles += piece.shape.triangles;
   whole.cuts.turned_faces += piece.cuts.turned_faces;
   whole.cuts.copied_vertices += piece.cuts.copied_vertices;
+  whole.cuts.repeated_faces += piece.cuts.repeated_faces;
   whole.cuts.loose_faces += piece.cuts.loose_faces;
   for (std::size_t i = 0; i < piece.clers.size(); ++i) whole.clers[i] += piece.clers[i];
   whole.connectivity_bytes += piece.connectivity_bytes;

@@ -72,6 +72,11 @@ enum class Ends {
 /// memory: three layers of samples and the result.
 Mesh gyroid(std::uint32_t x, std::uint32_t y, std::uint32_t z, std::uint32_t resolution, Ends ends);
 
+/// A scaffold (lattice.cc): n^3 cubes, and tubes between neighbours in place of the sides that face
+/// each other. 24 n^3 - 12 n^2 triangles, of genus 3 n^2 (n-1) - n^3 + 1: a handle for every twelve.
+/// Precondition: n at least 1.
+Mesh lattice(std::uint32_t n);
+
 // Arrangement (arrange.cc). These take meshes of any kind, polygons included.
 // -------------------------------
 

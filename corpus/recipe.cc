@@ -118,7 +118,7 @@ class Cook {
   }
 
   static Function named(std::string_view name) {
-    const std::array<std::pair<std::string_view, Function>, 21> functions = {{
+    const std::array<std::pair<std::string_view, Function>, 22> functions = {{
         {"single_triangle", takes(single_triangle)},
         {"glued_pair", takes(glued_pair)},
         {"tetrahedron", takes(tetrahedron)},
@@ -130,6 +130,7 @@ class Cook {
         {"flip_edges", takes(flip_edges)},
         {"punch_holes", takes(punch_holes)},
         {"gyroid", takes(gyroid)},
+        {"lattice", takes(lattice)},
         {"shuffle", takes(shuffle)},
         {"reversed", takes(reversed)},
         {"disjoint_union", takes(union_of_two)},

@@ -167,8 +167,10 @@ TEST(Cut, IsNearTheBestOnSmallSoups) {
   }
   std::printf("%u of %u cuts are the best there are; copies: ours %lld, best %lld\n", optimal,
               soups, static_cast<long long>(ours - least), static_cast<long long>(best - least));
-  EXPECT_GE(optimal, soups * 3 / 4);
-  EXPECT_LE(ours - least, (best - least) * 13 / 10);
+  // Where more than two faces meet none is reversed. Of faces that run at random, as here, that
+  // costs a third of the copies; of real meshes it saves bytes, since reversals cost some too.
+  EXPECT_GE(optimal, soups * 7 / 10);
+  EXPECT_LE(ours - least, (best - least) * 16 / 10);
 }
 
 }  // namespace

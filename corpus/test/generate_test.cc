@@ -141,6 +141,13 @@ TEST(Gyroid, IsASurfaceWithTheGenusOfItsCells) {
   }
 }
 
+TEST(Lattice, HasAHandleForEveryLoopOfTubes) {
+  expect_topology(surface(lattice(1)), 1, 0, 0);
+  expect_topology(surface(lattice(2)), 1, 0, 5);
+  expect_topology(surface(lattice(5)), 1, 0, 176);
+  EXPECT_EQ(lattice(5).face_count(), 24u * 125 - 12 * 25);
+}
+
 TEST(Arrange, ShuffleChangesOrderOnly) {
   for (std::uint64_t seed = 0; seed < 10; ++seed)
     for (const Mesh& mesh : {icosphere(2), random_soup(50, 200, 7, seed)}) {
