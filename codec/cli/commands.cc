@@ -40,8 +40,7 @@ Outcome<io::Format> format_for(const std::string& path, std::optional<io::Format
 
 void note(const Options& options, const std::string& file, const io::Notes& notes) {
   if (options.quiet) return;
-  for (const io::Note& note : notes)
-    fmt::print(stderr, "clers: {}: note: {}\n", file, note.text);
+  for (const io::Note& note : notes) fmt::print(stderr, "clers: {}: note: {}\n", file, note.text);
 }
 
 Outcome<std::vector<Mesh>> read_meshes(const Options& options, const std::string& path,
