@@ -13,7 +13,7 @@
 
 namespace clers {
 
-inline constexpr std::uint32_t format_major = 0, format_minor = 1;
+inline constexpr std::uint32_t format_major = 0, format_minor = 2;
 
 /// Kinds of sections; the numbers are the file format's.
 enum class SectionKind : std::uint8_t {
@@ -24,6 +24,7 @@ enum class SectionKind : std::uint8_t {
   order = 4,
   pieces = 5,
   seam = 6,
+  metadata = 7,
 };
 
 /// Writes a file section by section.
@@ -62,7 +63,8 @@ class ContainerReader {
   /// How many sections of a kind are still to come and how long their payloads are, as far as their
   /// lengths lead; nothing else of them is checked. Precondition: open().
   struct Tally {
-    std::array<std::uint64_t, static_cast<std::size_t>(SectionKind::seam) + 1> sections{}, bytes{};
+    std::array<std::uint64_t, static_cast<std::size_t>(SectionKind::metadata) + 1> sections{},
+        bytes{};
     std::uint64_t count(SectionKind k) const { return sections[static_cast<std::size_t>(k)]; }
     std::uint64_t size(SectionKind k) const { return bytes[static_cast<std::size_t>(k)]; }
   };

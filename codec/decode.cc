@@ -134,6 +134,11 @@ Expected<Piece> make_piece(const std::vector<MeshSections>& meshes, std::size_t 
   if (!seam) return in_mesh(seam.error(), mesh_index, meshes.size());
   piece.seam = std::move(*seam);
   piece.mesh.name = mesh.name;
+  if (index == 0 && mesh.metadata) {
+    auto metadata = decode_metadata(*mesh.metadata);
+    if (!metadata) return in_mesh(metadata.error(), mesh_index, meshes.size());
+    piece.mesh.metadata = std::move(*metadata);
+  }
   piece.first_vertex = static_cast<std::uint32_t>(sections.first_vertex);
   piece.first_face = static_cast<std::uint32_t>(sections.first_face);
   return piece;

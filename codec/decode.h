@@ -44,7 +44,8 @@ struct SharedVertex {
 struct Piece {
   std::size_t mesh_index = 0;        ///< of its mesh in the file
   std::size_t index = 0, count = 1;  ///< among the pieces of the mesh
-  Mesh mesh;                         ///< with the values of all its vertices, the shared ones too
+  Mesh mesh;                         ///< with the values of all its vertices, the shared ones too;
+                                     ///< the first one of a mesh has the mesh's metadata
   std::vector<SharedVertex> seam;    ///< in the order of `vertex`
   std::uint32_t first_vertex = 0;    ///< its other vertices have this number and those that
                                      ///< follow in the whole mesh, in their order

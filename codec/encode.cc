@@ -9,6 +9,7 @@
 
 #include "codec/container.h"
 #include "codec/mesh_encoder.h"
+#include "codec/metadata.h"
 #include "codec/parallel.h"
 #include "codec/partition.h"
 #include "codec/pieces.h"
@@ -125,6 +126,12 @@ Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& opti
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     EncodedMesh coded = finish(std::move(works[i]), meshes[i], options);
     for (const EncodedSection& section : coded.sections) out.section(section.kind, section.payload);
+    if (!meshes[i].metadata.empty()) {
+      auto metadata = encode_metadata(meshes[i].metadata);
+      if (!metadata) return in_mesh(metadata.error(), i, meshes.size());
+      coded.info.metadata_bytes = metadata->size();
+      out.section(SectionKind::metadata, *metadata);
+    }
     result.permutations.push_back(std::move(coded.order));
     result.report.push_back(std::move(coded.info));
   }

@@ -84,6 +84,8 @@ Expected<MeshInfo> look_at(const MeshSections& s) {
   auto shape = measure(faces);
   if (!shape) return Failure{shape.error()};
   mesh.shape = *shape;
+  mesh.metadata = std::move(faces.metadata);
+  if (s.metadata) mesh.metadata_bytes = s.metadata->payload_size;
   return mesh;
 }
 
@@ -110,8 +112,8 @@ Expected<FileInfo> inspect(std::span<const std::byte> bytes, const Limits& limit
     for (const MeshSections& s : *sections) {
       auto mesh = look_at(s);
       if (!mesh) return Failure{mesh.error()};
-      info.overhead_bytes -=
-          mesh->connectivity_bytes + mesh->position_bytes + mesh->attribute_bytes;
+      info.overhead_bytes -= mesh->connectivity_bytes + mesh->position_bytes +
+                             mesh->attribute_bytes + mesh->metadata_bytes;
       info.meshes.push_back(std::move(*mesh));
     }
     return info;

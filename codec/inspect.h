@@ -63,15 +63,17 @@ struct MeshInfo {
   std::uint64_t order_bytes = 0;            ///< of them: the order of the file, where it is kept
   std::uint64_t position_bytes = 0;
   std::uint64_t attribute_bytes = 0;  ///< of all attributes but the position
+  std::uint64_t metadata_bytes = 0;
   std::vector<AttributeInfo> attributes;
   std::string name;
+  std::vector<MetadataEntry> metadata;  ///< of inspect() only
 };
 
 struct FileInfo {
   std::uint32_t format_major = 0, format_minor = 0;
   int level = 0;  ///< that the file was made with
   std::uint64_t total_bytes = 0;
-  std::uint64_t overhead_bytes = 0;  ///< total less connectivity, positions and attributes
+  std::uint64_t overhead_bytes = 0;  ///< total less what is told of the meshes
   std::vector<MeshInfo> meshes;
 };
 

@@ -532,6 +532,11 @@ std::uint64_t finishing_memory(const MeshSections& s, Values values) {
 
 Expected<Done> finish_mesh(const MeshSections& sections, Mesh& mesh) {
   mesh.name = sections.name;
+  if (sections.metadata) {
+    auto metadata = decode_metadata(*sections.metadata);
+    if (!metadata) return Failure{metadata.error()};
+    mesh.metadata = std::move(*metadata);
+  }
   if (sections.pieces.size() > 1) drop_sizes_of_triangles(mesh);
   if (!sections.has_order) return Done{};
   FileOrder order;

@@ -13,6 +13,7 @@
 #include "codec/file_order.h"
 #include "codec/loose_faces.h"
 #include "codec/mesh_features.h"
+#include "codec/metadata.h"
 #include "codec/parallel.h"
 #include "codec/plain_faces.h"
 #include "codec/surface_encoder.h"
@@ -74,6 +75,8 @@ Expected<Done> check_arrays(const Mesh& mesh) {
   }
   if (!is_utf8(mesh.name))
     return fail(ErrorCode::inconsistent_mesh, "the name of the mesh is not UTF-8");
+  if (std::string what = objection(mesh.metadata); !what.empty())
+    return fail(ErrorCode::inconsistent_mesh, std::move(what));
   for (const Attribute& a : mesh.attributes) {
     if (!is_utf8(a.name))
       return fail(ErrorCode::inconsistent_mesh, "an attribute's name is not UTF-8");

@@ -206,6 +206,7 @@ class MeshesReader {
         return add_name(section, meshes.back());
       default: break;
     }
+    if (section.kind == SectionKind::metadata) return add_metadata(section);
     MeshSections& mesh = meshes.back();  // an order
     if (pieces_to_come_ > 0 || mesh.has_order ||
         (mesh.pieces.size() == 1 && piece.features == feature::plain))
@@ -316,6 +317,15 @@ class MeshesReader {
     return Done{};
   }
 
+  Expected<Done> add_metadata(const Section& section) {
+    MeshSections& mesh = meshes.back();
+    if (pieces_to_come_ > 0 || mesh.metadata) return invalid(section, "metadata where none can be");
+    auto header = read_metadata_header(section.payload, section.at);
+    if (!header) return Failure{header.error()};
+    mesh.metadata = *header;
+    return Done{};
+  }
+
   const Limits& limits_;
   std::uint64_t pieces_left_;         ///< in the file
   std::uint64_t pieces_to_come_ = 0;  ///< of the latest mesh
@@ -349,6 +359,9 @@ Expected<std::vector<MeshSections>> read_meshes(ContainerReader& file, const Lim
     return fail(ErrorCode::invalid, std::to_string(reader.meshes.size()) +
                                         " meshes, but the file says " +
                                         std::to_string(file.meshes()));
+  for (const MeshSections& mesh : reader.meshes)
+    if (mesh.metadata)
+      if (auto ok = budget.take(mesh.metadata->memory()); !ok) return Failure{ok.error()};
   return std::move(reader.meshes);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "codec/container.h"
 #include "codec/limits.h"
 #include "codec/mesh_features.h"
+#include "codec/metadata.h"
 
 namespace clers {
 
@@ -62,6 +64,7 @@ struct MeshSections {
   std::vector<PieceSections> pieces;  ///< one at least
   std::uint64_t vertices = 0, faces = 0, corners = 0;
   PieceSections::Stream order;
+  std::optional<MetadataHeader> metadata;
   std::string name;
   bool has_order = false, has_name = false;
 

@@ -40,8 +40,7 @@ Outcome<io::Format> format_for(const std::string& path, std::optional<io::Format
 
 void note(const Options& options, const std::string& file, const io::Notes& notes) {
   if (options.quiet) return;
-  for (const std::string& line : notes.lines)
-    fmt::print(stderr, "clers: {}: note: {}\n", file, line);
+  for (const io::Note& note : notes) fmt::print(stderr, "clers: {}: note: {}\n", file, note.text);
 }
 
 Outcome<std::vector<Mesh>> read_meshes(const Options& options, const std::string& path,
@@ -293,7 +292,10 @@ Exit subdivide(const Options& options) {
                                 [&](double share) { progress.show("subdividing", share); });
           if (!done) return stop(input_name(input), done.error());
           progress.clear();
-          note(options, input_name(input), {done->notes});
+          io::Notes notes;
+          for (const std::string& line : done->notes)
+            notes.push_back({io::Note::Kind::loss, 1, line, line});
+          note(options, input_name(input), notes);
           report += fmt::format("{}: {}\n", mesh.name.empty() ? input_name(input) : mesh.name,
                                 describe(options.subdivision, *done));
           mesh = std::move(done->mesh);

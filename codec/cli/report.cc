@@ -42,6 +42,7 @@ MeshInfo total(const FileInfo& info) {
     sum.order_bytes += mesh.order_bytes;
     sum.position_bytes += mesh.position_bytes;
     sum.attribute_bytes += mesh.attribute_bytes;
+    sum.metadata_bytes += mesh.metadata_bytes;
     for (std::size_t i = 0; i < sum.clers.size(); ++i) sum.clers[i] += mesh.clers[i];
   }
   return sum;
@@ -85,6 +86,7 @@ void put(Json& json, const MeshInfo& m) {
   json["order_bytes"] = m.order_bytes;
   json["position_bytes"] = m.position_bytes;
   json["attribute_bytes"] = m.attribute_bytes;
+  json["metadata_bytes"] = m.metadata_bytes;
   json["connectivity_bits_per_triangle"] =
       m.shape.triangles == 0 ? Json() : Json(bits_per_triangle(m));
   for (std::size_t i = 0; i < m.clers.size(); ++i)
@@ -213,6 +215,7 @@ std::string info_text(const std::string& file, const FileInfo& info) {
   if (sum.order_bytes != 0) line(out, "  of them for the order", sum.order_bytes);
   line(out, "position bytes", sum.position_bytes);
   line(out, "attribute bytes", sum.attribute_bytes);
+  if (sum.metadata_bytes != 0) line(out, "metadata bytes", sum.metadata_bytes);
   line(out, "overhead bytes", info.overhead_bytes);
   line(out, "total bytes", info.total_bytes);
   return out;

@@ -2,7 +2,11 @@
 #ifndef CLERS_CODEC_IO_FORMATS_H
 #define CLERS_CODEC_IO_FORMATS_H
 
+#include <algorithm>
+#include <initializer_list>
+#include <set>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "codec/io/io.h"
@@ -35,11 +39,59 @@ const Attribute* find(const Mesh& mesh, std::string_view name, Domain domain);
 /// "vertex attribute 'name' (3 x float32)".
 std::string label(const Attribute& attribute);
 
-/// Notes that an attribute was left out, and why if there is more to say.
+/// A loss: "2 comments were left out", and why if there is more to say. None if there are none.
+void note_left_out(Notes& notes, std::uint64_t count, std::string_view one, std::string_view many,
+                   std::string_view why = {});
+
+/// Notes that an attribute was left out.
 void note_left_out(Notes& notes, const Attribute& attribute, std::string_view why = {});
+
+std::string utf8_of_latin_1(std::string_view text);
+
+/// Up to three of them, in quotes: "'a', 'b', 'c' and 5 more".
+std::string some(const std::set<std::string>& names);
+
+/// What metadata say, or nullptr.
+const std::string* metadata(const Mesh& mesh, std::string_view key);
+void set_metadata(Mesh& mesh, std::string_view key, std::string value);
+
+/// Keys of metadata. The values of all but the header are lines, without the last one's end.
+inline constexpr std::string_view source_key = "source.format";  ///< "ply ascii", "obj", ..
+inline constexpr std::string_view comment_key = "comment";       ///< what follows '#' or "comment"
 
 /// Notes if a text loses bits of NaNs of an attribute.
 void note_lost_nans(Notes& notes, const Attribute& attribute);
+inline constexpr std::string_view obj_info_key = "obj_info";  ///< of PLY, what follows the word
+inline constexpr std::string_view properties_key = "ply.properties";
+inline constexpr std::string_view header_key = "stl.header";
+
+/// Notes the metadata that a writer has no place for: all but these.
+void note_metadata_left_out(Notes& notes, const Mesh& mesh,
+                            std::initializer_list<std::string_view> written);
+
+/// Calls f(line) for each line of what metadata say.
+template <class F>
+void for_each_line(const Mesh& mesh, std::string_view key, F f) {
+  const std::string* lines = metadata(mesh, key);
+  if (!lines) return;
+  for (std::size_t from = 0; from <= lines->size();) {
+    const std::size_t end = std::min(lines->find('\n', from), lines->size());
+    f(std::string_view(*lines).substr(from, end - from));
+    from = end + 1;
+  }
+}
+
+/// The comments, a line each behind '#'.
+void write_comments(Output& out, const Mesh& mesh);
+
+/// Some programs write the zero that ends a string in C, or the byte that ended a text in CP/M.
+inline std::string_view without_padding(std::string_view file) {
+  return file.substr(0, file.find_last_not_of(std::string_view("\0\x1a", 2)) + 1);
+}
+void note_padding(Notes& notes, std::size_t bytes);
+
+/// A remark: "3 polygons" "became 6 triangles".
+void note_remark(Notes& notes, std::uint64_t count, std::string what, std::string_view became);
 
 }  // namespace clers::io
 

@@ -22,6 +22,21 @@ const char* name(Domain domain) {
   return domain_names[static_cast<unsigned>(domain)];
 }
 
+// What metadata call the formats of files.
+struct SourceName {
+  std::string_view name;
+  Source source;
+};
+constexpr SourceName source_names[] = {
+    {"ply ascii", {Format::ply, Encoding::text}},
+    {"ply binary_little_endian", {Format::ply, Encoding::binary}},
+    {"ply binary_big_endian", {Format::ply, Encoding::binary}},
+    {"obj", {Format::obj, Encoding::text}},
+    {"off", {Format::off, Encoding::text}},
+    {"stl ascii", {Format::stl, Encoding::text}},
+    {"stl binary", {Format::stl, Encoding::binary}},
+};
+
 // What every writer relies on.
 Expected<Done> check(const Mesh& mesh, std::size_t number) {
   const auto inconsistent = [&](std::string what) {
@@ -54,31 +69,29 @@ Expected<Done> check(const Mesh& mesh, std::size_t number) {
   return Done{};
 }
 
+template <class Read>
+Expected<ReadResult> read_text(std::string_view file, Read read) {
+  const std::string_view text = without_padding(file);
+  Expected<ReadResult> result = read(text);
+  if (result) note_padding(result->notes, file.size() - text.size());
+  return result;
+}
+
+// Mesh files say nothing of their encoding: what is no UTF-8 is taken as Latin-1.
+void make_utf8(std::string& name, Notes& notes) {
+  if (is_utf8(name)) return;
+  name = utf8_of_latin_1(name);
+  note_remark(notes, 1, "the name " + quoted(name), "is not UTF-8 and was read as Latin-1");
+}
+
 Expected<ReadResult> read_as(std::span<const std::byte> bytes, Format format) {
   switch (format) {
     case Format::ply: return read_ply(as_text(bytes));
-    case Format::obj: return read_obj(as_text(bytes));
-    case Format::off: return read_off(as_text(bytes));
+    case Format::obj: return read_text(as_text(bytes), read_obj);
+    case Format::off: return read_text(as_text(bytes), read_off);
     case Format::stl: return read_stl(as_text(bytes));
   }
   return fail(ErrorCode::unsupported, "expected a known format");
-}
-
-/// Mesh files say nothing of their encoding: what is no UTF-8 is taken as Latin-1.
-void make_utf8(std::string& name, Notes& notes) {
-  if (is_utf8(name)) return;
-  std::string utf8;
-  for (const char c : name) {
-    const unsigned byte = static_cast<unsigned char>(c);
-    if (byte < 0x80) {
-      utf8 += c;
-    } else {
-      utf8 += static_cast<char>(0xc0 | byte >> 6);
-      utf8 += static_cast<char>(0x80 | (byte & 0x3f));
-    }
-  }
-  name = std::move(utf8);
-  notes.lines.push_back("the name " + quoted(name) + " is not UTF-8 and was read as Latin-1");
 }
 
 }  // namespace
@@ -95,13 +108,19 @@ std::optional<Format> format_of(std::string_view name) {
 }
 
 Expected<ReadResult> read(std::span<const std::byte> bytes, Format format) {
-  return guarded("read", [&] {
-    auto result = read_as(bytes, format);
-    if (result)
-      for (Mesh& mesh : result->meshes) {
-        make_utf8(mesh.name, result->notes);
-        for (Attribute& a : mesh.attributes) make_utf8(a.name, result->notes);
-      }
+  return guarded("read", [&]() -> Expected<ReadResult> {
+    Expected<ReadResult> result = read_as(bytes, format);
+    // Only now: the header of a binary STL may begin like anything.
+    if (!result)
+      if (const std::optional<std::string> kind = foreign_kind(bytes))
+        return fail(ErrorCode::unsupported, "this is " + *kind);
+    if (!result) return result;
+    for (Mesh& mesh : result->meshes) {
+      make_utf8(mesh.name, result->notes);
+      for (Attribute& a : mesh.attributes) make_utf8(a.name, result->notes);
+    }
+    if (format == Format::obj || format == Format::off)
+      set_metadata(result->meshes[0], source_key, format == Format::obj ? "obj" : "off");
     return result;
   });
 }
@@ -156,15 +175,108 @@ std::string label(const Attribute& attribute) {
 }
 
 void note_left_out(Notes& notes, const Attribute& attribute, std::string_view why) {
-  std::string line = label(attribute) + " was left out";
-  if (!why.empty()) line.append(": ").append(why);
-  notes.lines.push_back(std::move(line));
+  note_left_out(notes, 1, label(attribute), {}, why);
+}
+
+void note_left_out(Notes& notes, std::uint64_t count, std::string_view one, std::string_view many,
+                   std::string_view why) {
+  if (count == 0) return;
+  Note note{
+      Note::Kind::loss, count, many.empty() ? std::string(one) : counted(count, one, many), {}};
+  note.text = note.what + (count == 1 ? " was" : " were") + " left out";
+  if (!why.empty()) note.text.append(": ").append(why);
+  notes.push_back(std::move(note));
+}
+
+void note_padding(Notes& notes, std::size_t bytes) {
+  if (bytes > 0)
+    note_remark(notes, bytes, counted(bytes, "byte", "bytes"),
+                std::string(bytes == 1 ? "was" : "were") + " padding at the end of the file");
+}
+
+std::string utf8_of_latin_1(std::string_view text) {
+  std::string utf8;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80)
+      utf8 += c;
+    else
+      utf8 += {static_cast<char>(0xc0 | byte >> 6), static_cast<char>(0x80 | (byte & 0x3f))};
+  }
+  return utf8;
+}
+
+std::string some(const std::set<std::string>& names) {
+  constexpr std::size_t most = 3;
+  std::string text;
+  std::size_t shown = 0;
+  for (const std::string& name : names) {
+    if (shown == most) return text + " and " + std::to_string(names.size() - most) + " more";
+    if (shown++ > 0) text += ", ";
+    text += quoted(name);
+  }
+  return text;
+}
+
+void note_remark(Notes& notes, std::uint64_t count, std::string what, std::string_view became) {
+  std::string text = what + ' ' + std::string(became);
+  notes.push_back({Note::Kind::remark, count, std::move(what), std::move(text)});
+}
+
+const std::string* metadata(const Mesh& mesh, std::string_view key) {
+  for (const MetadataEntry& entry : mesh.metadata)
+    if (entry.key == key) return &entry.value;
+  return nullptr;
+}
+
+void set_metadata(Mesh& mesh, std::string_view key, std::string value) {
+  mesh.metadata.push_back({std::string(key), std::move(value)});
+}
+
+void note_metadata_left_out(Notes& notes, const Mesh& mesh,
+                            std::initializer_list<std::string_view> written) {
+  std::set<std::string> others;
+  for (const MetadataEntry& entry : mesh.metadata) {
+    if (std::find(written.begin(), written.end(), entry.key) != written.end()) continue;
+    const auto lines =
+        1 + static_cast<std::uint64_t>(std::count(entry.value.begin(), entry.value.end(), '\n'));
+    if (entry.key == comment_key)
+      note_left_out(notes, lines, "comment", "comments");
+    else if (entry.key == obj_info_key)
+      note_left_out(notes, lines, "line obj_info", "lines obj_info");
+    else if (entry.key == header_key)
+      note_left_out(notes, 1, "the header of a binary STL", {});
+    else if (entry.key == properties_key)
+      note_remark(notes, lines, counted(lines, "name", "names"),
+                  "of properties of PLY became those of this format");
+    else if (entry.key != source_key)
+      others.insert(entry.key);
+  }
+  note_left_out(notes, others.size(), "entry of metadata", "entries of metadata", some(others));
+}
+
+void write_comments(Output& out, const Mesh& mesh) {
+  for_each_line(mesh, comment_key, [&](std::string_view line) {
+    out << '#';
+    for (const char c : line) out << (c == '\r' ? ' ' : c);
+    out << '\n';
+  });
+}
+
+std::optional<Source> source_of(const Mesh& mesh) {
+  const std::string* source = metadata(mesh, source_key);
+  if (!source) return std::nullopt;
+  for (const SourceName& s : source_names)
+    if (s.name == *source) return s.source;
+  return std::nullopt;
 }
 
 void note_lost_nans(Notes& notes, const Attribute& attribute) {
   if (const std::size_t lost = count_lost_nans(attribute))
-    notes.lines.push_back(label(attribute) + ": the bits of " + counted(lost, "NaN", "NaNs") +
-                          " cannot be written as text and read back as those of a plain NaN");
+    notes.push_back({Note::Kind::loss, lost,
+                     counted(lost, "bit pattern", "bit patterns") + " of NaNs",
+                     label(attribute) + ": the bits of " + counted(lost, "NaN", "NaNs") +
+                         " cannot be written as text and read back as those of a plain NaN"});
 }
 
 }  // namespace clers::io

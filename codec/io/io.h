@@ -3,6 +3,7 @@
 #define CLERS_CODEC_IO_IO_H
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,28 +18,55 @@ namespace clers::io {
 /// What is read and, but for what is in brackets, written:
 ///
 ///     ply  text and binary [both byte orders; written little endian]. Faces of any size, or
-///          triangle strips [written as faces]. Properties of vertices and faces become attributes,
-///          lists of a face with as many values or tuples as corners become corner attributes:
+///          triangle strips [written as faces]. Properties of vertices and faces become attributes:
 ///              x y z -> "position", nx ny nz -> "normal", red green blue [alpha] -> "color",
 ///              s t, u v or texture_u texture_v -> "texcoord", any other -> its own name.
-///          Attributes of several components, and names that a header cannot hold, are told by
-///          comments that begin "clers", so that all but 64-bit integers reads back as it was.
-///     obj  Faces of any size. v -> "position", and "color" if each vertex has one; vt and vn ->
-///          "texcoord" and "normal" by corner if each face has them. The only o names the mesh.
-///          Several meshes are written as objects, which read back as one mesh.
-///     off  text in three dimensions. Faces of any size; "position", "normal", "color" and
-///          "texcoord" of vertices, "color" of faces if each has one.
-///     stl  text and binary. Triangles, by positions alone, which are written as float32.
+///          So do lists of one length; lists "texcoord" and "color" of faces, which MeshLab writes,
+///          are of the corners. Metadata keep comments, lines obj_info and what properties are
+///          called. Attributes of several components, and names that a header cannot hold, are told
+///          by comments that begin "clers", so that all but 64-bit integers reads back as it was.
+///     obj  Faces of any size. v -> "position", and "color" if each vertex has one: bytes if all
+///          are 255ths. vt and vn -> "texcoord" and "normal" by corner if each face has them. The
+///          only o names the mesh. Several meshes are written as objects, which read back as one.
+///     off  text in three dimensions, in the variants of Geomview and MeshLab. Faces of any size;
+///          "position", "normal", "color" and "texcoord" of vertices, "color" of faces if each has
+///          one, or "color_index".
+///     stl  text and binary. Triangles [polygons as fans], by positions alone, which are written as
+///          float32, and normals, which come from the corners. Metadata keep a binary's header.
+///
+/// Comments of obj and off are metadata too. Lines end in LF, CR LF or CR; byte order marks of
+/// UTF-8 are blanks; NaN and infinity may be as Microsoft's C library wrote them.
 enum class Format { ply, obj, off, stl };
+
+enum class Encoding { text, binary };
 
 /// From a file name's extension or a name given by the user ("ply", ".PLY"); none if unknown.
 std::optional<Format> format_of(std::string_view name);
 
-/// What reading or writing could not carry over, for people, one line each
-/// ("element 'camera' (1 entry) is not part of a mesh and was left out").
-struct Notes {
-  std::vector<std::string> lines;
+/// What a file is that is none of these, and what to do: "a gzip file: unpack it first, with
+/// gunzip"; none if it is not known. By its first bytes, as read() says it, or by its name.
+std::optional<std::string> foreign_kind(std::span<const std::byte> bytes);
+std::optional<std::string> foreign_kind(std::string_view name);
+
+/// What happened to one kind of thing in reading or writing.
+struct Note {
+  enum class Kind : std::uint8_t {
+    loss,    ///< the result does not have it
+    remark,  ///< the result has it in another form, or more than the file says
+  };
+  Kind kind = Kind::loss;
+  std::uint64_t count = 0;  ///< of the things
+  std::string what;         ///< "665 texture coordinates"
+  std::string text;  ///< "665 texture coordinates were left out: 139 of 7946 faces have none"
 };
+using Notes = std::vector<Note>;  ///< one for each kind of thing
+
+/// What a mesh was read from, if its metadata say so.
+struct Source {
+  Format format;
+  Encoding encoding;
+};
+std::optional<Source> source_of(const Mesh& mesh);
 
 struct ReadResult {
   std::vector<Mesh> meshes;
@@ -47,7 +75,7 @@ struct ReadResult {
 
 /// Reads a whole mesh file held in memory, as one mesh. Polygons stay polygons, unused vertices
 /// stay, indices and the order of vertices and faces stay as in the file. Only STL welds: vertices
-/// with equal position bits become one, which is noted.
+/// with equal positions become one, which is noted.
 ///
 /// Numbers of OBJ, OFF and text STL, which do not say how wide they are, become float32 if each of
 /// a kind (positions, normals, ..) is the rounding of a float32 to its digits, else float64.
@@ -59,8 +87,6 @@ struct ReadResult {
 /// for STL, whose corners are sorted.
 Expected<ReadResult> read(std::span<const std::byte> bytes, Format format);
 
-enum class Encoding { text, binary };
-
 struct WriteResult {
   std::vector<std::byte> bytes;
   Notes notes;
@@ -69,8 +95,8 @@ struct WriteResult {
 /// Writes meshes as one file. PLY and STL are binary unless text is asked for, OBJ and OFF are
 /// always text. A number in text has the fewest digits that read back bit for bit (NaN: its sign
 /// alone). What a format cannot hold is noted.
-/// Errors: unsupported (a format that cannot hold this at all, such as polygons in STL or several
-/// meshes in all but OBJ), inconsistent_mesh, too_large, out_of_memory.
+/// Errors: unsupported (a format that cannot hold this at all, such as several meshes in all but
+/// OBJ), inconsistent_mesh, too_large, out_of_memory.
 Expected<WriteResult> write(std::span<const Mesh> meshes, Format format,
                             std::optional<Encoding> encoding = std::nullopt);
 

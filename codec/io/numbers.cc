@@ -162,6 +162,32 @@ void print_untyped(Output& out, const Attribute& attribute, std::size_t index) {
     print(out, attribute, index);
 }
 
+Attribute of_255ths(Attribute colors) {
+  if (colors.scalar != Scalar::float32) return colors;
+  Attribute bytes{colors.name, colors.domain, Scalar::uint8, colors.components, {}};
+  bytes.data.reserve(colors.data.size() / sizeof(float));
+  for (std::size_t i = 0; i < colors.data.size() / sizeof(float); ++i) {
+    const auto value = value_at<float>(colors, i);
+    if (!(value >= 0 && value <= 1)) return colors;
+    const auto k = static_cast<unsigned>(value * 255 + 0.5f);
+    if (std::bit_cast<std::uint32_t>(static_cast<float>(k) / 255) !=
+        std::bit_cast<std::uint32_t>(value))
+      return colors;
+    bytes.data.push_back(static_cast<std::byte>(k));
+  }
+  return bytes;
+}
+
+Attribute as_255ths(const Attribute& bytes) {
+  Attribute colors{bytes.name, bytes.domain, Scalar::float32, bytes.components, {}};
+  colors.data.resize(bytes.data.size() * sizeof(float));
+  for (std::size_t i = 0; i < bytes.data.size(); ++i) {
+    const float value = static_cast<float>(std::to_integer<unsigned>(bytes.data[i])) / 255;
+    std::memcpy(colors.data.data() + i * sizeof value, &value, sizeof value);
+  }
+  return colors;
+}
+
 std::size_t count_lost_nans(const Attribute& attribute) {
   std::size_t lost = 0;
   const auto count = [&]<class Float, class Bits>(Float quiet, Bits sign) {

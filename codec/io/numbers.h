@@ -26,6 +26,8 @@ class Numbers {
   void push_zero();
 
   std::size_t size() const { return wide_.size(); }
+  /// Precondition: there is one.
+  double last() const { return wide_.back(); }
 
   /// The values as an attribute's data; leaves nothing behind.
   Attribute take(std::string name, Domain domain, unsigned components);
@@ -43,6 +45,11 @@ void print(Output& out, const Attribute& attribute, std::size_t index);
 /// The same for Numbers to read: a float64 that reads as float32 with its fewest digits but is none
 /// gets all 17 digits, to say so.
 void print_untyped(Output& out, const Attribute& attribute, std::size_t index);
+
+/// Colours between 0 and 1 <-> bytes. The first gives bytes if each of the values is the float32 of
+/// k / 255, bit for bit, else the attribute as it is; the second is its inverse.
+Attribute of_255ths(Attribute colors);
+Attribute as_255ths(const Attribute& bytes);
 
 /// NaNs whose bits a text cannot tell.
 std::size_t count_lost_nans(const Attribute& attribute);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <set>
 
 #include "codec/io/formats.h"
 #include "codec/io/numbers.h"
@@ -11,14 +12,40 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffffu;
 
-// Statements that are not read; how many there are goes to the notes.
-constexpr std::string_view left_out[] = {
-    "o",      "g",        "s",        "mg",         "usemtl", "mtllib",   "usemap",
-    "maplib", "l",        "p",        "fo",         "vp",     "deg",      "bmat",
-    "step",   "cstype",   "curv",     "curv2",      "surf",   "parm",     "trim",
-    "hole",   "scrv",     "sp",       "end",        "con",    "bevel",    "lod",
-    "call",   "csh",      "ctech",    "res",        "bsp",    "bzp",      "cdc",
-    "cdp",    "c_interp", "d_interp", "shadow_obj", "stech",  "trace_obj"};
+// Statements that are not read, by what they are about.
+struct Subject {
+  std::string_view one, many;
+  std::string_view keywords;  // between spaces
+};
+constexpr Subject subjects[] = {
+    {"object", "objects", " o "},
+    {"group", "groups", " g "},
+    {"smoothing group", "smoothing groups", " s mg "},
+    {"material", "materials", " usemtl "},
+    {"library of materials", "libraries of materials", " mtllib "},
+    {"texture map", "texture maps", " usemap maplib "},
+    {"line", "lines", " l "},
+    {"point", "points", " p "},
+    {"statement of free forms", "statements of free forms",
+     " vp deg bmat step cstype curv curv2 surf parm trim hole scrv sp end con bsp bzp cdc cdp "
+     "res "},
+    {"display attribute", "display attributes",
+     " bevel lod c_interp d_interp ctech stech shadow_obj trace_obj "},
+    {"call", "calls", " call csh "},
+};
+constexpr std::size_t object = 0, unknown = std::size(subjects);
+
+std::size_t subject_of(std::string_view keyword) {
+  std::size_t i = 0;
+  const std::string word = ' ' + std::string(keyword) + ' ';
+  while (i < unknown && subjects[i].keywords.find(word) == std::string_view::npos) ++i;
+  return i;
+}
+
+// Their names are counted, of the others the statements.
+constexpr bool is_name(std::size_t subject) {
+  return subject <= 3;
+}
 
 // The values of one kind (v, vt or vn), and what the corners of the faces use of them.
 struct Values {
@@ -30,21 +57,35 @@ struct Values {
   const char* largest_at = nullptr;      // where in the file
   std::vector<std::uint32_t> used = {};  // by each corner, while all faces use some
   std::uint64_t faces_without = 0;
+  std::uint64_t indices = 0;            // that faces give
+  std::uint64_t zeros = 0;              // of them, which say that there is none
+  const char* before_any_at = nullptr;  // counts back from no value
 };
 
 class Reader {
  public:
-  explicit Reader(std::string_view file) : text_(file, {.comments = true, .continuations = true}) {}
+  explicit Reader(std::string_view file)
+      : text_(file, {.comments = true, .continuations = true, .kept = &comments_}) {}
 
   Expected<ReadResult> read() {
     for (; !text_.at_end(); text_.next_line())
       if (Expected<Done> done = statement(); !done) return Failure<Error>{done.error()};
+    if (unknown_at_ && positions_.count == 0 && face_sizes_.empty())
+      return text_.malformed(unknown_at_, "expected a statement such as 'v' or 'f', found " +
+                                              quoted(Text({unknown_at_, text_.at()}).token()));
     // A face may come before its vertices, so that only now the indices can be judged.
-    for (const Values& v : values_)
+    for (const Values& v : values_) {
+      if (&v != &positions_ && v.count == 0) continue;  // none are there to be used
+      if (v.before_any_at)
+        return text_.malformed(v.before_any_at, "expected " + std::string(v.noun) +
+                                                    " index from 1, found one that "
+                                                    "counts back from the first");
       if (v.largest_at && v.largest >= v.count)
         return text_.malformed(v.largest_at, "expected " + std::string(v.noun) +
                                                  " index of at most " + std::to_string(v.count) +
-                                                 ", found " + std::to_string(v.largest + 1));
+                                                 ", found " + std::to_string(v.largest + 1) +
+                                                 swallowed());
+    }
     return finish();
   }
 
@@ -53,16 +94,45 @@ class Reader {
     const char* where = text_.at();
     const std::string_view keyword = text_.token();
     if (keyword == "v") return vertex();
-    if (keyword == "f") return face();
+    if (keyword == "f" || keyword == "fo") return face();  // fo: of the 1990s
     if (keyword == "vt") return texture_coordinate();
     if (keyword == "vn") return vertex_normal();
-    const auto* found = std::find(std::begin(left_out), std::end(left_out), keyword);
-    if (found == std::end(left_out))
-      return text_.malformed(where,
-                             "expected a statement such as 'v' or 'f', found " + quoted(keyword));
-    ++left_out_[static_cast<std::size_t>(found - left_out)];
-    if (keyword == "o") name_ = text_.rest_of_line();
+    const std::size_t subject = subject_of(keyword);
+    if (subject == unknown) {
+      if (std::any_of(keyword.begin(), keyword.end(), [](char c) { return c >= 0 && c < ' '; }))
+        return text_.malformed(where,
+                               "expected a statement such as 'v' or 'f', found " + quoted(keyword));
+      if (!unknown_at_) unknown_at_ = where;
+    }
+    const std::string rest = words();
+    ++left_out_[subject];
+    if (subject == object) name_ = rest;
+    if (subject == unknown)
+      statements_[subject].insert(std::string(keyword));
+    else if (is_name(subject))
+      statements_[subject].insert(rest);
     return Done{};
+  }
+
+  // The rest of a statement, in which '#' begins no comment. A backslash goes on here as it does
+  // everywhere; where a name ends in one by chance, what it swallows is noted.
+  std::string words() {
+    std::string rest(text_.rest_of_line());
+    while (rest.ends_with('\\') && text_.remaining() > 0) {
+      text_.skip_line_end();
+      const std::string_view line = text_.rest_of_line();
+      if (swallowed_++ == 0) first_swallowed_ = line;
+      rest.back() = ' ';
+      rest += line;
+    }
+    return rest;
+  }
+
+  // What may be why something is missing.
+  std::string swallowed() const {
+    if (swallowed_ == 0) return {};
+    return " (but " + quoted(first_swallowed_) +
+           " is part of a name, since the line before it ends in a backslash)";
   }
 
   // Coordinates, then nothing, a weight, or a colour without or with alpha.
@@ -73,13 +143,9 @@ class Reader {
     if (text_.at_line_end()) return Done{};
 
     const std::size_t extra = text_.tokens_on_line();
-    if (extra != 1 && extra != 3 && extra != 4)
-      return text_.malformed(text_.at(),
-                             "expected 3, 4, 6 or 7 numbers, found " + std::to_string(3 + extra));
-    weights_ += extra == 1;
-    colors_ += extra != 1;
-    if (color_components_ == 0 && positions_.count == 1 && extra != 1)
-      color_components_ = static_cast<unsigned>(extra);
+    const bool color = extra == 3 || extra == 4;
+    ++(color ? colors_ : extra == 1 ? weights_ : odd_numbers_);
+    if (color && positions_.count == 1) color_components_ = static_cast<unsigned>(extra);
     const bool keep = extra == color_components_ &&
                       color_numbers_.size() == extra * (std::size_t{positions_.count} - 1);
     double left_out_number = 0;
@@ -126,8 +192,12 @@ class Reader {
       const char* where = text_.at();
       for (std::size_t kind = 0; kind < values_.size(); ++kind) {
         std::int64_t index = 0;
-        const bool given = (kind == 0 || text_.character('/')) && text_.digits(index);
+        bool given = (kind == 0 || text_.character('/')) && text_.digits(index);
         if (kind == 0 && !given) return text_.expected("a vertex index");
+        if (kind > 0 && given && index == 0) {
+          ++values_[kind].zeros;
+          given = false;
+        }
         all_have[kind] = all_have[kind] && given;
         if (!use(values_[kind], given, index, where))
           return text_.malformed(where, "expected " + std::string(values_[kind].noun) +
@@ -151,6 +221,11 @@ class Reader {
   // False if the index cannot be one.
   static bool use(Values& values, bool given, std::int64_t index, const char* where) {
     if (!given) return true;
+    ++values.indices;
+    if (index < 0 && values.count == 0) {
+      if (!values.before_any_at) values.before_any_at = where;
+      index = 1;
+    }
     if (index < 0) index += std::int64_t{values.count} + 1;
     if (index <= 0) return false;
     const auto from_0 = static_cast<std::uint64_t>(index - 1);
@@ -171,22 +246,31 @@ class Reader {
     mesh.attributes.push_back(positions_.numbers.take(position_name, Domain::vertex, 3));
     if (color_components_ > 0 &&
         color_numbers_.size() == std::size_t{color_components_} * mesh.vertex_count)
-      mesh.attributes.push_back(color_numbers_.take("color", Domain::vertex, color_components_));
-    else if (colors_)
-      note(counted(colors_, "vertex colour was", "vertex colours were") +
-           " left out: not every vertex has one with as many components");
+      mesh.attributes.push_back(
+          of_255ths(color_numbers_.take("color", Domain::vertex, color_components_)));
+    else
+      note_left_out(notes_, colors_, "vertex colour", "vertex colours",
+                    "not every vertex has one with as many components");
     add_by_corner(mesh, texcoords_, "texcoord", texcoord_components_, faces);
     add_by_corner(mesh, normals_, "normal", 3, faces);
 
-    if (weights_) note(counted(weights_, "vertex weight was", "vertex weights were") + " left out");
-    for (std::size_t i = 0; i < left_out_.size(); ++i) {
-      if (left_out_[i] == 0) continue;
-      if (left_out[i] == "o" && left_out_[i] == 1)
-        mesh.name = std::move(name_);
-      else
-        note(counted(left_out_[i], "statement ", "statements ") + quoted(left_out[i]) +
-             (left_out_[i] == 1 ? " was" : " were") + " left out");
+    note_left_out(notes_, weights_, "vertex weight", "vertex weights");
+    note_left_out(notes_, odd_numbers_, "vertex's further numbers", "vertices' further numbers",
+                  "neither a weight nor a colour");
+    if (left_out_[object] == 1) {
+      mesh.name = std::move(name_);
+      left_out_[object] = 0;
     }
+    for (std::size_t i = 0; i < unknown; ++i)
+      if (left_out_[i] > 0)
+        note_left_out(notes_, is_name(i) ? statements_[i].size() : left_out_[i], subjects[i].one,
+                      subjects[i].many);
+    note_left_out(notes_, left_out_[unknown], "statement", "statements",
+                  "unknown: " + some(statements_[unknown]));
+    note_left_out(
+        notes_, swallowed_, "line", "lines",
+        "part of a name before it, which ends in a backslash, such as " + quoted(first_swallowed_));
+    if (comments_.count() > 0) set_metadata(mesh, comment_key, comments_.take());
     ReadResult result;
     result.meshes.push_back(std::move(mesh));
     result.notes = std::move(notes_);
@@ -196,14 +280,16 @@ class Reader {
   // Gives every corner the value it uses, if all faces use some.
   void add_by_corner(Mesh& mesh, Values& values, std::string name, unsigned components,
                      std::size_t faces) {
-    if (values.count == 0) return;
-    if (faces == 0 || values.faces_without > 0) {
-      note(counted(values.count, values.noun.substr(2), values.nouns) +
-           (values.count == 1 ? " was" : " were") +
-           " left out: " + std::to_string(values.faces_without) + " of " +
-           counted(faces, "face has", "faces have") + " none");
-      return;
-    }
+    const auto noun = values.noun.substr(2);
+    note_left_out(notes_, values.zeros, "index 0", "indices 0",
+                  "of " + std::string(values.nouns) + ", which count from 1");
+    if (values.count == 0)
+      return note_left_out(notes_, values.indices, "index", "indices",
+                           "of " + std::string(values.nouns) + ", of which there are none");
+    if (faces == 0 || values.faces_without > 0)
+      return note_left_out(notes_, values.count, noun, values.nouns,
+                           std::to_string(values.faces_without) + " of " +
+                               counted(faces, "face has", "faces have") + " none");
     const Attribute from = values.numbers.take({}, Domain::corner, values.stride);
     Attribute a{
         std::move(name), Domain::corner, from.scalar, static_cast<std::uint8_t>(components), {}};
@@ -215,13 +301,11 @@ class Reader {
       used[values.used[c]] = true;
     }
     mesh.attributes.push_back(std::move(a));
-    if (const auto unused = static_cast<std::uint64_t>(std::count(used.begin(), used.end(), false)))
-      note(counted(unused, values.noun.substr(2), values.nouns) + (unused == 1 ? " is" : " are") +
-           " used by no face and left out");
+    note_left_out(notes_, static_cast<std::uint64_t>(std::count(used.begin(), used.end(), false)),
+                  noun, values.nouns, "used by no face");
   }
 
-  void note(std::string line) { notes_.lines.push_back(std::move(line)); }
-
+  Comments comments_;
   Text text_;
   std::array<Values, 3> values_{Values{"a vertex", "vertices"},
                                 Values{"a texture coordinate", "texture coordinates"},
@@ -231,8 +315,12 @@ class Reader {
   std::vector<std::uint32_t> face_sizes_;
   Numbers color_numbers_;
   unsigned color_components_ = 0;
-  std::uint64_t colors_ = 0, weights_ = 0;
-  std::array<std::uint64_t, std::size(left_out)> left_out_{};
+  std::uint64_t colors_ = 0, weights_ = 0, odd_numbers_ = 0;
+  std::array<std::uint64_t, unknown + 1> left_out_{};
+  std::array<std::set<std::string>, unknown + 1> statements_;  // names, or keywords
+  const char* unknown_at_ = nullptr;                           // the first
+  std::uint64_t swallowed_ = 0;
+  std::string_view first_swallowed_;
   std::string name_;
   Notes notes_;
 };
@@ -240,14 +328,7 @@ class Reader {
 }  // namespace
 
 Expected<ReadResult> read_obj(std::string_view file) {
-  // Some programs write the zero that ends a string in C.
-  const std::string_view text = file.substr(0, file.find_last_not_of('\0') + 1);
-  Expected<ReadResult> result = Reader(text).read();
-  if (const std::size_t zeros = file.size() - text.size(); zeros > 0 && result)
-    result->notes.lines.push_back(counted(zeros, "zero byte", "zero bytes") +
-                                  " at the end of the file " + (zeros == 1 ? "was" : "were") +
-                                  " left out");
-  return result;
+  return Reader(file).read();
 }
 
 }  // namespace clers::io

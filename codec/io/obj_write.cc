@@ -13,6 +13,22 @@ bool is_float(const Attribute& a) {
   return a.scalar == Scalar::float32 || a.scalar == Scalar::float64;
 }
 
+// Whether colours are 255ths all, which is how bytes are written.
+bool reads_back_as_bytes(const Attribute& color) {
+  if (!is_float(color) || color.data.empty()) return false;
+  if (color.scalar == Scalar::float32) return of_255ths(color).scalar == Scalar::uint8;
+  Attribute narrow{color.name, color.domain, Scalar::float32, color.components, {}};
+  for (std::size_t i = 0; i < color.data.size(); i += sizeof(double)) {
+    double wide;
+    std::memcpy(&wide, color.data.data() + i, sizeof wide);
+    const auto value = static_cast<float>(wide);
+    if (static_cast<double>(value) != wide) return false;
+    const auto* bytes = reinterpret_cast<const std::byte*>(&value);
+    narrow.data.insert(narrow.data.end(), bytes, bytes + sizeof value);
+  }
+  return of_255ths(std::move(narrow)).scalar == Scalar::uint8;
+}
+
 // What the corners of a mesh use of a kind of value, vt or vn.
 struct ByCorner {
   std::string_view statement;
@@ -39,17 +55,27 @@ class Writer {
     if (mesh.vertex_count > 0 && (!position || position->components != 3))
       return fail(ErrorCode::unsupported, "expected positions with 3 components");
     const Attribute* color = find(mesh, "color", Domain::vertex);
-    if (color && (!is_float(*color) || (color->components != 3 && color->components != 4)))
+    if (color && (!(is_float(*color) || color->scalar == Scalar::uint8) ||
+                  (color->components != 3 && color->components != 4)))
       color = nullptr;
+    const Attribute* const kept_color = color;
+    Attribute floats;
+    if (color && color->scalar == Scalar::uint8) color = &(floats = as_255ths(*color));
     texcoords_.attribute = by_corner(mesh, "texcoord", 1, 3);
     normals_.attribute = by_corner(mesh, "normal", 3, 3);
     for (const Attribute& a : mesh.attributes) {
-      if (&a == position || &a == color || &a == texcoords_.attribute || &a == normals_.attribute)
+      if (&a == position || &a == kept_color || &a == texcoords_.attribute ||
+          &a == normals_.attribute)
         note_kept(a);
       else
         note_left_out(notes_, a);
     }
 
+    if (kept_color && reads_back_as_bytes(*kept_color))
+      note_remark(notes_, 1, label(*color), "is all 255ths and reads back as bytes");
+    note_metadata_left_out(notes_, mesh, {comment_key});
+
+    write_comments(out_, mesh);
     if (named) out_ << "o " << one_line(mesh.name) << '\n';
     for (std::size_t v = 0; v < mesh.vertex_count; ++v) {
       out_ << 'v';
@@ -76,9 +102,10 @@ class Writer {
 
   void note_kept(const Attribute& a) {
     note_lost_nans(notes_, a);
-    if (!is_float(a)) notes_.lines.push_back(label(a) + " reads back as floating point");
+    if (!is_float(a) && a.name != "color")
+      note_remark(notes_, 1, label(a), "reads back as floating point");
     if (a.domain == Domain::vertex && a.name != position_name && a.name != "color")
-      notes_.lines.push_back(label(a) + " is written by corner");
+      note_remark(notes_, 1, label(a), "is written by corner");
   }
 
   void values(const Attribute& a, std::size_t index) {
@@ -118,9 +145,7 @@ class Writer {
       }
       out_ << '\n';
     }
-    if (empty)
-      notes_.lines.push_back(
-          counted(empty, "face without corners was", "faces without corners were") + " left out");
+    note_left_out(notes_, empty, "face without corners", "faces without corners");
   }
 
   // A name must not begin a new statement.
@@ -144,8 +169,8 @@ Expected<Done> write_obj(std::span<const Mesh> meshes, Output& out, Notes& notes
     if (Expected<Done> done = writer.write(mesh, meshes.size() > 1 || !mesh.name.empty()); !done)
       return done;
   if (meshes.size() > 1)
-    notes.lines.push_back(std::to_string(meshes.size()) +
-                          " meshes became objects of one file, which reads back as one mesh");
+    note_remark(notes, meshes.size(), std::to_string(meshes.size()) + " meshes",
+                "became objects of one file, which reads back as one mesh");
   return Done{};
 }
 

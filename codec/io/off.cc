@@ -12,24 +12,36 @@ namespace clers::io {
 
 namespace {
 
-// [ST][C][N][4][n]OFF: what the lines of vertices have besides x y z.
+// What the lines of vertices have besides x y z.
 struct Kind {
   bool texcoords = false, colors = false, normals = false, unsupported = false;
+  bool colors_first = false;  // before the normals
 };
 
+// [ST][C][N][4][n]OFF, as Geomview has it: normals come before colours in a line. MeshLab writes
+// [N][C][ST]OFF and colours before normals.
 std::optional<Kind> kind_of(std::string_view keyword) {
   Kind kind;
-  const auto skip = [&](std::string_view prefix) {
-    const bool found = keyword.starts_with(prefix);
-    if (found) keyword.remove_prefix(prefix.size());
-    return found;
-  };
-  kind.texcoords = skip("ST");
-  kind.colors = skip("C");
-  kind.normals = skip("N");
-  const bool homogeneous = skip("4"), any_dimension = skip("n");
-  kind.unsupported = homogeneous || any_dimension;
-  return keyword == "OFF" ? std::optional(kind) : std::nullopt;
+  if (!keyword.ends_with("OFF")) return std::nullopt;
+  keyword.remove_suffix(3);
+  while (!keyword.empty()) {
+    const bool st = keyword.starts_with("ST");
+    bool& flag = st                  ? kind.texcoords
+                 : keyword[0] == 'C' ? kind.colors
+                 : keyword[0] == 'N' ? kind.normals
+                                     : kind.unsupported;
+    if (flag || (&flag == &kind.unsupported && keyword[0] != '4' && keyword[0] != 'n'))
+      return std::nullopt;
+    flag = true;
+    kind.colors_first = kind.colors_first || (&flag == &kind.colors && kind.normals);
+    if (keyword == "4n") return kind;
+    keyword.remove_prefix(st ? 2 : 1);
+  }
+  return kind;
+}
+
+bool is_float(const Attribute& a) {
+  return a.scalar == Scalar::float32 || a.scalar == Scalar::float64;
 }
 
 // Colours of the vertices or of the faces. Whole numbers up to 255 are bytes if all are.
@@ -44,46 +56,75 @@ class Colors {
     for (std::size_t i = 0; i < components; ++i) {
       text.skip_blanks();
       Text before = text;
-      std::uint8_t byte = 0;
-      all_bytes_ = before.integer(byte) && all_bytes_;
+      std::int32_t whole = 0;
+      all_whole_ = before.integer(whole) && all_whole_;
+      all_bytes_ = all_whole_ && whole >= 0 && whole <= 255 && all_bytes_;
+      text.skip_blanks();
+      negative_ = negative_ || (text.remaining() > 0 && *text.at() == '-');
       if (!numbers_.read(text)) return false;
     }
     return true;
   }
 
-  void add_to(Mesh& mesh, Domain domain, Notes& notes) {
+  // Of one number each they are indices into a map that the file does not hold.
+  void add_to(Mesh& mesh, Domain domain, bool declared, Notes& notes) {
     const std::uint64_t colored = three_ + four_ + indexed_;
     if (colored == 0) return;
-    if (none_ > 0 || std::max(three_, four_) != colored) {
-      notes.lines.push_back(
-          counted(colored, "colour was", "colours were") +
-          " left out: not all faces or vertices have one with as many components");
+    const bool of_vertices = domain == Domain::vertex;
+    if (none_ > 0 || std::max({three_, four_, indexed_}) != colored ||
+        (indexed_ > 0 && !all_whole_)) {
+      note_left_out(notes, colored, of_vertices ? "vertex colour" : "face colour",
+                    of_vertices ? "vertex colours" : "face colours",
+                    "not all have one with as many components");
       return;
     }
-    Attribute a = numbers_.take("color", domain, three_ ? 3 : 4);
-    if (all_bytes_) {
-      // Whole numbers up to 255 are float32.
-      std::vector<std::byte> bytes(a.data.size() / sizeof(float));
-      for (std::size_t i = 0; i < bytes.size(); ++i) {
-        float value;
-        std::memcpy(&value, a.data.data() + i * sizeof value, sizeof value);
-        bytes[i] = static_cast<std::byte>(value);
-      }
-      a.scalar = Scalar::uint8;
-      a.data = std::move(bytes);
-    }
+    // Numbers that the first line does not speak of, some below 0: no colours then.
+    const bool normals =
+        !declared && negative_ && three_ && of_vertices && !find(mesh, "normal", domain);
+    Attribute a = numbers_.take(indexed_  ? color_index
+                                : normals ? "normal"
+                                          : "color",
+                                domain,
+                                indexed_ ? 1u
+                                : three_ ? 3u
+                                         : 4u);
+    if (indexed_)
+      a = whole<std::int32_t>(a, Scalar::int32);
+    else if (all_bytes_)
+      a = whole<std::uint8_t>(a, Scalar::uint8);
     mesh.attributes.push_back(std::move(a));
   }
 
+  static constexpr const char* color_index = "color_index";
+
  private:
+  // Whole numbers up to 2^24 are float32, others up to 2^31 float64.
+  template <class T>
+  static Attribute whole(const Attribute& from, Scalar scalar) {
+    Attribute to{from.name, from.domain, scalar, from.components, {}};
+    const std::size_t size = size_of(from.scalar), count = from.data.size() / size;
+    to.data.resize(count * sizeof(T));
+    for (std::size_t i = 0; i < count; ++i) {
+      float narrow = 0;
+      double wide = 0;
+      if (from.scalar == Scalar::float32)
+        std::memcpy(&narrow, from.data.data() + i * size, size);
+      else
+        std::memcpy(&wide, from.data.data() + i * size, size);
+      const auto value = static_cast<T>(from.scalar == Scalar::float32 ? narrow : wide);
+      std::memcpy(to.data.data() + i * sizeof value, &value, sizeof value);
+    }
+    return to;
+  }
+
   Numbers numbers_;
-  bool all_bytes_ = true;
+  bool all_bytes_ = true, all_whole_ = true, negative_ = false;
   std::uint64_t none_ = 0, three_ = 0, four_ = 0, indexed_ = 0;
 };
 
 class Reader {
  public:
-  explicit Reader(std::string_view file) : text_(file, {.comments = true}) {}
+  explicit Reader(std::string_view file) : text_(file, {.comments = true, .kept = &comments_}) {}
 
   Expected<ReadResult> read() {
     if (Expected<Done> done = header(); !done) return Failure<Error>{done.error()};
@@ -96,10 +137,11 @@ class Reader {
     ReadResult result;
     mesh_.attributes.push_back(positions_.take(position_name, Domain::vertex, 3));
     if (kind_.normals) mesh_.attributes.push_back(normals_.take("normal", Domain::vertex, 3));
-    vertex_colors_.add_to(mesh_, Domain::vertex, result.notes);
+    vertex_colors_.add_to(mesh_, Domain::vertex, kind_.colors, result.notes);
     if (kind_.texcoords) mesh_.attributes.push_back(texcoords_.take("texcoord", Domain::vertex, 2));
-    face_colors_.add_to(mesh_, Domain::face, result.notes);
+    face_colors_.add_to(mesh_, Domain::face, true, result.notes);
     set_face_sizes(mesh_, std::move(face_sizes_));
+    if (comments_.count() > 0) set_metadata(mesh_, comment_key, comments_.take());
     result.meshes.push_back(std::move(mesh_));
     return result;
   }
@@ -108,12 +150,25 @@ class Reader {
   Expected<Done> header() {
     text_.skip_space();
     const char* where = text_.at();
-    const std::string_view keyword = text_.token();
+    const Text start = text_;
+    std::string_view keyword = text_.token();
+    // The word may be missing, and there are files in which the counts follow it without a blank.
+    const auto digits = [](std::string_view text) {
+      return !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+    };
+    const std::size_t end = keyword.rfind("OFF") + 3;  // npos + 3 = 2
+    const bool missing = digits(keyword), glued = end > 2 && digits(keyword.substr(end));
+    if (missing || glued) {
+      text_ = start;
+      text_.skip(missing ? 0 : end);
+      keyword = missing ? "OFF" : keyword.substr(0, end);
+    }
     const std::optional<Kind> kind = kind_of(keyword);
     if (!kind)
       return text_.malformed(where,
                              "expected OFF, COFF, NOFF, STOFF or such, found " + quoted(keyword));
     kind_ = *kind;
+    says_all_ = keyword != "OFF";
     const bool binary = Text(text_).token() == "BINARY";
     if (kind_.unsupported || binary)
       return fail(ErrorCode::unsupported, Place::line, text_.line_of(where),
@@ -140,25 +195,39 @@ class Reader {
     return Done{};
   }
 
+  // A line.
   Expected<Done> vertex() {
     text_.skip_space();
     if (!read(positions_, 3)) return text_.expected("a coordinate");
-    if (kind_.normals && !read(normals_, 3)) return text_.expected("a component of a normal");
+    if (kind_.normals && !kind_.colors_first && !read(normals_, 3))
+      return text_.expected("a component of a normal");
     if (kind_.colors) {
-      const std::size_t left = text_.tokens_on_line(), others = kind_.texcoords ? 2 : 0;
+      const std::size_t left = text_.tokens_on_line(),
+                        others = (kind_.texcoords ? 2u : 0u) + (kind_.colors_first ? 3u : 0u);
       if (left != 3 + others && left != 4 + others)
-        return text_.expected("a colour of 3 or 4 numbers");
+        return text_.expected("a colour of 3 or 4 numbers" +
+                              std::string(others ? " and what follows it" : ""));
       if (!vertex_colors_.read(text_, left - others)) return text_.expected("a number of a colour");
     }
+    if (kind_.normals && kind_.colors_first && !read(normals_, 3))
+      return text_.expected("a component of a normal");
     if (kind_.texcoords && !read(texcoords_, 2)) return text_.expected("a texture coordinate");
-    return end_line();
+    return says_all_ ? end_line() : further_numbers();
+  }
+
+  // Many programs write colours without saying so in the first line.
+  Expected<Done> further_numbers() {
+    const std::size_t left = text_.at_line_end() ? 0 : text_.tokens_on_line();
+    if (left == 0 || left == 3 || left == 4) {
+      if (!vertex_colors_.read(text_, left)) return text_.expected("a number of a colour");
+      return Done{};
+    }
+    return text_.expected("the end of the line, or a colour of 3 or 4 numbers");
   }
 
   bool read(Numbers& numbers, unsigned n) {
-    for (; n > 0; --n) {
-      text_.skip_space();
+    for (; n > 0; --n)
       if (!numbers.read(text_)) return false;
-    }
     return true;
   }
 
@@ -189,8 +258,10 @@ class Reader {
     return Done{};
   }
 
+  Comments comments_;
   Text text_;
   Kind kind_;
+  bool says_all_ = false;  // whether the first line tells all that the lines of vertices have
   std::uint64_t face_count_ = 0;
   Mesh mesh_;
   std::vector<std::uint32_t> face_sizes_;
@@ -198,16 +269,18 @@ class Reader {
   Colors vertex_colors_, face_colors_;
 };
 
-bool is_float(const Attribute& a) {
-  return a.scalar == Scalar::float32 || a.scalar == Scalar::float64;
-}
-
 const Attribute* color_of(const Mesh& mesh, Domain domain) {
   const Attribute* a = find(mesh, "color", domain);
   return a && (a->components == 3 || a->components == 4) &&
                  (is_float(*a) || a->scalar == Scalar::uint8)
              ? a
              : nullptr;
+}
+
+// Of faces, into a map of colours.
+const Attribute* index_of(const Mesh& mesh) {
+  const Attribute* a = find(mesh, Colors::color_index, Domain::face);
+  return a && a->components == 1 && a->scalar == Scalar::int32 ? a : nullptr;
 }
 
 const Attribute* floats_of(const Mesh& mesh, std::string_view name, unsigned components) {
@@ -252,6 +325,7 @@ Expected<Done> write_off(const Mesh& mesh, Output& out, Notes& notes) {
   const Attribute* color = color_of(mesh, Domain::vertex);
   const Attribute* texcoord = floats_of(mesh, "texcoord", 2);
   const Attribute* face_color = color_of(mesh, Domain::face);
+  if (!face_color) face_color = index_of(mesh);
   for (const Attribute& a : mesh.attributes) {
     const Attribute* kept[] = {position, normal, color, texcoord, face_color};
     if (std::find(std::begin(kept), std::end(kept), &a) == std::end(kept)) {
@@ -260,11 +334,13 @@ Expected<Done> write_off(const Mesh& mesh, Output& out, Notes& notes) {
     }
     note_lost_nans(notes, a);
     if (&a == position && !is_float(a))
-      notes.lines.push_back(label(a) + " reads back as floating point");
+      note_remark(notes, 1, label(a), "reads back as floating point");
   }
-  if (!mesh.name.empty()) notes.lines.push_back("the name " + quoted(mesh.name) + " was left out");
+  if (!mesh.name.empty()) note_left_out(notes, 1, "the name " + quoted(mesh.name), {});
+  note_metadata_left_out(notes, mesh, {comment_key});
 
   out << (texcoord ? "ST" : "") << (color ? "C" : "") << (normal ? "N" : "") << "OFF\n";
+  write_comments(out, mesh);
   out.number(mesh.vertex_count);
   out << ' ';
   out.number(mesh.face_count());

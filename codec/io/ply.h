@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,6 +15,7 @@
 
 #include "codec/error.h"
 #include "codec/io/io.h"
+#include "codec/io/text.h"
 #include "codec/mesh.h"
 
 namespace clers::io::ply {
@@ -66,8 +68,7 @@ struct Element {
 struct Header {
   Format format = Format::text;
   std::vector<Element> elements;  ///< "vertex" is one of them
-  std::size_t comments = 0;       ///< that are not ours
-  std::size_t obj_infos = 0;
+  Comments comments, obj_infos;   ///< comments that are not ours
   std::string mesh_name;
   std::size_t size = 0;  ///< the body begins here
 
@@ -116,8 +117,8 @@ struct Convention {
 
   std::span<const std::string_view> names() const { return {properties.data(), components}; }
 };
-/// Reading takes the first line for an attribute that the file has all properties of; writing the
-/// first with as many components.
+/// Reading takes the first line for an attribute that the file has all properties of, of one type;
+/// writing the first with as many components, unless metadata tell what they were called.
 inline constexpr Convention conventions[] = {
     {position_name, 3, {"x", "y", "z"}},
     {"normal", 3, {"nx", "ny", "nz"}},
@@ -127,6 +128,56 @@ inline constexpr Convention conventions[] = {
     {"color", 4, {"red", "green", "blue", "alpha"}},
     {"color", 3, {"red", "green", "blue"}},
 };
+
+/// The convention that writing goes by, or nullptr.
+const Convention* convention_of(std::string_view attribute, std::size_t components);
+
+/// Whether a list of faces is known to hold values of their corners: those of VCG and MeshLab.
+/// Lengths say nothing: the normal of a triangle has three numbers too.
+bool lies_by_corner(const Element& element, const Property& property);
+
+/// Properties that become one attribute.
+struct Entry {
+  std::string attribute;
+  Domain domain = Domain::vertex;
+  std::vector<std::size_t> members;  ///< properties, in the order of the components; one list
+  unsigned claimed = 0;              ///< components, if a claim says so
+};
+/// What becomes of the properties of an element of vertices or faces, in the order of the first
+/// ones: claims, then conventions, then each property by itself. Names of attributes differ within
+/// a domain, and are UTF-8 of at most 255 bytes.
+std::vector<Entry> plan(const Element& element);
+
+/// What properties are called where plan() alone would not say so. As metadata a line each, words
+/// percent-encoded:
+///
+///     vertex texcoord u v         face, corner: likewise
+///     face-list normal normal     one list as long as the attribute has components
+///     indices vertex_index        of the faces
+class PropertyNames {
+ public:
+  struct Line {
+    Domain domain = Domain::vertex;
+    bool list = false;
+    std::string attribute;
+    std::vector<std::string> properties;
+  };
+
+  static PropertyNames of(const Mesh& mesh);
+  std::string text() const;
+
+  void add(Line line);
+  const Line* find(const Attribute& a) const;
+
+  std::string indices;
+
+ private:
+  using Key = std::pair<Domain, std::string>;
+  std::vector<Line> lines_;
+  std::map<Key, std::size_t> by_attribute_;
+};
+
+inline constexpr std::string_view usual_indices = "vertex_indices";
 
 /// The list of a face's or a strip's vertices.
 constexpr bool names_indices(std::string_view property) {

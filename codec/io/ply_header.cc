@@ -36,13 +36,21 @@ class HeaderReader {
   Expected<Header> read() {
     if (text_.token() != "ply" || !text_.at_line_end())
       return text_.malformed(file_.data(), "expected the line 'ply'");
+    const std::string_view rest = file_.substr(text_.offset());
+    // Where lines end in CR alone, an LF behind the last one is the first byte of the body.
+    const bool bare_cr = rest.starts_with('\r') && !rest.starts_with("\r\n");
+    const bool lf_cr = rest.starts_with("\n\r") && !rest.starts_with("\n\r\n");
     text_.next_line();
     for (;;) {
       line_ = text_.at();
       Expected<bool> more = line();
       if (!more) return Failure<Error>{more.error()};
       if (!text_.at_line_end()) return text_.expected("the end of the line");
-      text_.next_line();
+      if (!*more && bare_cr && text_.remaining() > 0)
+        text_.skip(1);
+      else
+        text_.next_line();
+      if (!*more && lf_cr && file_.substr(text_.offset()).starts_with('\r')) text_.skip(1);
       if (!*more) break;
     }
     header_.size = text_.offset();
@@ -54,12 +62,12 @@ class HeaderReader {
   Expected<bool> line() {
     constexpr std::string_view keywords =
         "'element', 'property', 'comment', 'obj_info' or 'end_header'";
-    if (text_.at_line_end()) return text_.expected(keywords);
+    if (text_.at_end()) return text_.expected(keywords);
+    line_ = text_.at();
     const std::string_view keyword = text_.token();
     if (keyword == "comment") return comment();
     if (keyword == "obj_info") {
-      ++header_.obj_infos;
-      text_.rest_of_line();
+      header_.obj_infos.add(text_.raw_rest_of_line());
       return true;
     }
     if (keyword == "format") return format();
@@ -91,7 +99,8 @@ class HeaderReader {
 
   // A claim that does not fit its place is a comment like any other.
   Expected<bool> comment() {
-    const std::string_view text = text_.rest_of_line();
+    const std::string_view raw = text_.raw_rest_of_line();
+    const std::string_view text = Text(raw).rest_of_line();
     const auto after = [&](std::string_view start) {
       return text.starts_with(start) && text.substr(start.size()).starts_with(' ')
                  ? std::optional(text.substr(start.size()))
@@ -115,7 +124,7 @@ class HeaderReader {
         return true;
       }
     }
-    ++header_.comments;
+    header_.comments.add(raw);
     return true;
   }
 

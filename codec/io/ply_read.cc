@@ -78,71 +78,6 @@ Attribute interleaved(std::string name, Domain domain, std::span<const std::size
   return a;
 }
 
-// Which properties of an element make which attribute.
-struct Plan {
-  struct Entry {
-    std::string attribute;
-    std::vector<std::size_t> members;  // properties, in the order of the components
-    unsigned claimed = 1;              // components, if a claim says so
-  };
-  std::map<std::size_t, Entry> entries;  // by first property
-};
-
-bool claim_holds(const Claim& claim, const Element& element) {
-  const std::span properties = element.properties;
-  if (claim.first >= properties.size()) return false;
-  const Property& first = properties[claim.first];
-  if (first.count_type) return first.meaning == Meaning::value;
-  if (properties.size() - claim.first < claim.components) return false;
-  const std::span members = properties.subspan(claim.first, claim.components);
-  return std::all_of(members.begin(), members.end(),
-                     [&](const Property& p) { return !p.count_type && p.type == first.type; });
-}
-
-Plan plan(const Element& element) {
-  Plan plan;
-  std::vector<bool> taken(element.properties.size());
-  const auto take = [&](std::string name, std::vector<std::size_t> members, unsigned claimed) {
-    for (const std::size_t i : members) taken[i] = true;
-    const std::size_t first = *std::min_element(members.begin(), members.end());
-    plan.entries[first] = {std::move(name), std::move(members), claimed};
-  };
-
-  for (const Claim& claim : element.claims) {
-    if (!claim_holds(claim, element)) continue;
-    std::vector<std::size_t> members{claim.first};
-    if (!element.properties[claim.first].count_type)
-      while (members.size() < claim.components) members.push_back(members.back() + 1);
-    if (std::none_of(members.begin(), members.end(), [&](std::size_t i) { return taken[i]; }))
-      take(claim.name, std::move(members), claim.components);
-  }
-
-  std::map<std::string_view, std::size_t> scalars;
-  for (std::size_t i = 0; i < element.properties.size(); ++i)
-    if (const Property& p = element.properties[i]; !p.count_type && !taken[i]) scalars[p.name] = i;
-  std::set<std::string_view> found;
-  for (const Convention& convention : conventions) {
-    if (found.contains(convention.attribute)) continue;
-    std::vector<std::size_t> members;
-    for (const std::string_view name : convention.names())
-      if (const auto at = scalars.find(name); at != scalars.end()) members.push_back(at->second);
-    if (members.size() != convention.components) continue;
-    const auto other_type = [&](std::size_t i) {
-      return element.properties[i].type != element.properties[members[0]].type;
-    };
-    if (convention.attribute != position_name &&
-        std::any_of(members.begin(), members.end(), other_type))
-      continue;
-    found.insert(convention.attribute);
-    take(std::string(convention.attribute), std::move(members), 1);
-  }
-
-  for (std::size_t i = 0; i < element.properties.size(); ++i)
-    if (const Property& p = element.properties[i]; p.meaning == Meaning::value && !taken[i])
-      take(p.name, {i}, 1);
-  return plan;
-}
-
 // How many values each corner has in a list; 0 if the lists do not follow the faces. Where there
 // are no corners it is any number.
 std::size_t values_per_corner(const Column& lists, const std::vector<std::uint32_t>& face_sizes,
@@ -154,6 +89,15 @@ std::size_t values_per_corner(const Column& lists, const std::vector<std::uint32
   }
   if (k == none) return any;
   return k <= 255 ? k : 0;
+}
+
+// How long all of the lists are; 0 if they are not of one length from 1 to 255.
+std::size_t values_per_entry(const Column& lists) {
+  if (lists.sizes.empty()) return 1;
+  const std::uint32_t size = lists.sizes[0];
+  const bool one = std::all_of(lists.sizes.begin(), lists.sizes.end(),
+                               [&](std::uint32_t n) { return n == size; });
+  return one && size <= 255 ? size : 0;
 }
 
 class Reader {
@@ -169,21 +113,30 @@ class Reader {
       if (!columns) return Failure<Error>{columns.error()};
       Expected<Done> done = Done{};
       if (element.name == "vertex")
-        done = attributes(element, *columns, Domain::vertex);
+        attributes(element, *columns);
       else if (element.name == "face")
         done = faces(element, *columns);
       else if (element.name == "tristrips")
         done = strips(element, *columns);
-      else
-        note("element " + quoted(element.name) + " (" + counted(element.count, "entry", "entries") +
-             ") is not part of a mesh and was left out");
+      else if (element.count > 0 && elements_.insert(element.name).second)
+        entries_ += element.count;
       if (!done) return Failure<Error>{done.error()};
     }
     if (Expected<Done> done = body.end(notes_); !done) return Failure<Error>{done.error()};
-    if (header_.comments)
-      note(counted(header_.comments, "comment was", "comments were") + " left out");
-    if (header_.obj_infos)
-      note(counted(header_.obj_infos, "line obj_info was", "lines obj_info were") + " left out");
+    note_left_out(
+        notes_, elements_.size(), "element", "elements",
+        "not part of a mesh: " + some(elements_) + ", of " + counted(entries_, "entry", "entries"));
+    note_left_out(
+        notes_, lists_.size(), "list", "lists",
+        "their lengths differ from entry to entry, or do not fit the corners: " + some(lists_));
+    if (header_.comments.count() > 0) set_metadata(mesh_, comment_key, header_.comments.take());
+    if (header_.obj_infos.count() > 0) set_metadata(mesh_, obj_info_key, header_.obj_infos.take());
+    if (std::string names = names_.text(); !names.empty())
+      set_metadata(mesh_, properties_key, std::move(names));
+    set_metadata(mesh_, source_key,
+                 header_.format == ply::Format::text            ? "ply ascii"
+                 : header_.format == ply::Format::little_endian ? "ply binary_little_endian"
+                                                                : "ply binary_big_endian");
     // Vertex attributes first, whichever element came first.
     std::stable_partition(mesh_.attributes.begin(), mesh_.attributes.end(),
                           [](const Attribute& a) { return a.domain == Domain::vertex; });
@@ -194,33 +147,51 @@ class Reader {
   }
 
  private:
-  // Scalars become attributes of the domain, lists of a face corner attributes.
-  Expected<Done> attributes(const Element& element, std::vector<Column>& columns, Domain domain) {
-    std::set<std::pair<Domain, std::string>> names;
-    Plan planned = plan(element);
-    for (auto& [first, entry] : planned.entries) {
+  // Scalars become attributes of the domain; lists too if they are of one length, and corner
+  // attributes if they are known to be that.
+  void attributes(const Element& element, std::vector<Column>& columns) {
+    for (Entry& entry : plan(element)) {
+      const std::size_t first = entry.members[0];
       const Property& p = element.properties[first];
       Attribute a;
       if (!p.count_type) {
-        a = interleaved(std::move(entry.attribute), domain, entry.members, element, columns);
+        const bool mixed =
+            std::any_of(entry.members.begin(), entry.members.end(),
+                        [&](std::size_t i) { return element.properties[i].type != p.type; });
+        a = interleaved(entry.attribute, entry.domain, entry.members, element, columns);
+        if (mixed) note_remark(notes_, 1, label(a), "comes from properties of several types");
       } else {
-        const std::size_t components =
-            domain == Domain::face ? values_per_corner(columns[first], face_sizes_, entry.claimed)
-                                   : 0;
-        if (components == 0) {
-          note("list " + quoted(p.name) + " of element " + quoted(element.name) +
-               " does not have one value or tuple for each corner and was left out");
+        const std::size_t any = std::max(1u, entry.claimed);
+        const std::size_t components = entry.domain == Domain::corner
+                                           ? values_per_corner(columns[first], face_sizes_, any)
+                                           : values_per_entry(columns[first]);
+        if (components == 0 || (entry.claimed == 0 && entry.domain == Domain::corner &&
+                                components != 2 && components != 3 && components != 4)) {
+          lists_.insert(p.name);
           continue;
         }
-        a = {std::move(entry.attribute), Domain::corner, p.type,
-             static_cast<std::uint8_t>(components), std::move(columns[first].values)};
+        a = {entry.attribute, entry.domain, p.type, static_cast<std::uint8_t>(components),
+             std::move(columns[first].values)};
       }
-      if (!names.insert({a.domain, a.name}).second)
-        return fail(ErrorCode::unsupported, "two properties of element " + quoted(element.name) +
-                                                " are both the attribute " + quoted(a.name));
+      remember_names(element, entry, a);
       mesh_.attributes.push_back(std::move(a));
     }
-    return Done{};
+  }
+
+  // Unless they are what a writer would call them anyway.
+  void remember_names(const Element& element, const Entry& entry, const Attribute& a) {
+    PropertyNames::Line line{
+        a.domain, element.properties[entry.members[0]].count_type.has_value(), a.name, {}};
+    for (const std::size_t i : entry.members) line.properties.push_back(element.properties[i].name);
+    const Convention* convention = convention_of(a.name, a.components);
+    const bool list_of_entries = line.list && a.domain != Domain::corner;
+    const bool usual = !list_of_entries &&
+                       (entry.claimed > 0 ||
+                        (convention && a.domain != Domain::corner
+                             ? std::equal(line.properties.begin(), line.properties.end(),
+                                          convention->names().begin(), convention->names().end())
+                             : line.properties.size() == 1 && line.properties[0] == a.name));
+    if (!usual) names_.add(std::move(line));
   }
 
   static std::size_t index_property(const Element& element) {
@@ -236,7 +207,9 @@ class Reader {
       face_sizes_ = std::move(columns[indices].sizes);
       copy_indices(columns[indices], mesh_.corners);
     }
-    if (Expected<Done> done = attributes(element, columns, Domain::face); !done) return done;
+    if (indices != none && element.properties[indices].name != usual_indices)
+      names_.indices = element.properties[indices].name;
+    attributes(element, columns);
     set_face_sizes(mesh_, std::move(face_sizes_));
     return Done{};
   }
@@ -273,13 +246,16 @@ class Reader {
       }
       strip += size;
     }
-    note(counted(element.count, "triangle strip", "triangle strips") + " became " +
-         counted(mesh_.corners.size() / 3, "face", "faces"));
+    note_remark(notes_, element.count, counted(element.count, "triangle strip", "triangle strips"),
+                "became " + counted(mesh_.corners.size() / 3, "face", "faces"));
     if (joins)
-      note(counted(joins, "place", "places") + " of a strip that repeat a vertex became no face");
+      note_remark(notes_, joins, counted(joins, "place", "places"),
+                  "of a strip that repeat a vertex became no face");
+    std::set<std::string> others;
     for (std::size_t i = 0; i < element.properties.size(); ++i)
-      if (i != property)
-        note("property " + quoted(element.properties[i].name) + " of triangle strips was left out");
+      if (i != property) others.insert(element.properties[i].name);
+    note_left_out(notes_, others.size(), "property of triangle strips",
+                  "properties of triangle strips", some(others));
     return Done{};
   }
 
@@ -288,11 +264,12 @@ class Reader {
     if (!indices.empty()) std::memcpy(indices.data(), column.values.data(), column.values.size());
   }
 
-  void note(std::string line) { notes_.lines.push_back(std::move(line)); }
-
   Header header_;
   Mesh mesh_;
   Notes notes_;
+  PropertyNames names_;
+  std::set<std::string> elements_, lists_;  // left out
+  std::uint64_t entries_ = 0;               // of these elements
   std::vector<std::uint32_t> face_sizes_;
 };
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <set>
 
 #include "codec/io/formats.h"
@@ -21,64 +22,142 @@ constexpr std::string_view type_name(Scalar s) {
 // An attribute and the properties it becomes.
 struct Planned {
   const Attribute* attribute;
-  std::vector<std::string> properties;  // one for each component; one list for a corner attribute
-  bool claim = false;                   // whether a comment has to say what they are
+  std::vector<std::string> properties;  // one for each component, or one list
+  bool list = false;
+  bool claim = false;  // whether a comment has to say what they are
 };
-
-const Convention* convention_of(const Attribute& a) {
-  for (const Convention& c : conventions)
-    if (c.attribute == a.name && c.components == a.components) return &c;
-  return nullptr;
-}
-
-bool is_conventional_property(std::string_view name) {
-  for (const Convention& c : conventions)
-    for (const std::string_view property : c.names())
-      if (name == property) return true;
-  return names_indices(name);
-}
 
 // A name of an attribute -> one that can stand in a header.
 std::string as_property(std::string_view name) {
   std::string property;
-  for (const char c : name) property += c > ' ' && c <= '~' ? c : '_';
-  if (property.empty() || is_conventional_property(property)) property += '_';
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    property += byte > ' ' && byte != 0x7f ? c : '_';
+  }
+  if (property.empty() || property.starts_with("\xef\xbb\xbf")) property.insert(0, "_");
   return property;
 }
 
-// Properties for the attributes of one element.
-std::vector<Planned> plan(const Mesh& mesh, bool of_vertices, Notes& notes) {
-  std::vector<Planned> planned;
-  std::set<std::string> used;
-  for (const Attribute& a : mesh.attributes) {
-    if ((a.domain == Domain::vertex) != of_vertices) continue;
-    if (type_name(a.scalar).empty()) {
-      note_left_out(notes, a, "PLY has no 64-bit integers");
-      continue;
+// Plans the properties of an element.
+class Planner {
+ public:
+  Planner(const Mesh& mesh, const PropertyNames& names, bool of_vertices)
+      : mesh_(mesh), names_(names), of_vertices_(of_vertices) {}
+
+  std::vector<Planned> run(const std::string& indices, Notes& notes) {
+    if (!of_vertices_) used_.insert(indices);
+    std::uint64_t wide = 0;
+    std::set<std::string> wide_names;
+    for (const Attribute& a : mesh_.attributes) {
+      if ((a.domain == Domain::vertex) != of_vertices_) continue;
+      if (type_name(a.scalar).empty()) {
+        ++wide;
+        wide_names.insert(a.name);
+        continue;
+      }
+      planned_.push_back(named(a, names_.find(a)));
     }
-    Planned p{&a, {}, false};
-    const Convention* convention = a.domain == Domain::corner ? nullptr : convention_of(a);
-    if (convention) {
+    note_left_out(notes, wide, of_vertices_ ? "vertex attribute" : "face or corner attribute",
+                  of_vertices_ ? "vertex attributes" : "face or corner attributes",
+                  "PLY has no 64-bit integers: " + some(wide_names));
+    while (claim_what_reads_otherwise(indices)) {
+    }
+    return std::move(planned_);
+  }
+
+ private:
+  Planned named(const Attribute& a, const PropertyNames::Line* line) {
+    const bool corner = a.domain == Domain::corner;
+    const std::size_t count = corner ? 1 : a.components;
+    if (line && can_be(*line, a)) {
+      used_.insert(line->properties.begin(), line->properties.end());
+      return {&a, line->properties, line->list, false};
+    }
+    Planned p{&a, {}, corner, false};
+    const auto free = [&] {
+      return std::none_of(p.properties.begin(), p.properties.end(),
+                          [&](const std::string& name) { return used_.contains(name); });
+    };
+    if (const Convention* convention = corner ? nullptr : convention_of(a.name, count))
       p.properties.assign(convention->names().begin(), convention->names().end());
-    } else {
-      const unsigned n = a.domain == Domain::corner ? 1 : a.components;
+    if (p.properties.empty() || !free()) {
       const auto name_them = [&](const std::string& base) {
         p.properties = {base};
-        for (unsigned i = 1; i < n; ++i) p.properties.push_back(base + "_" + std::to_string(i));
-        return std::none_of(p.properties.begin(), p.properties.end(),
-                            [&](const std::string& name) { return used.contains(name); });
+        for (std::size_t i = 1; i < count; ++i)
+          p.properties.push_back(base + "_" + std::to_string(i));
+        return free();
       };
       if (std::string base = as_property(a.name); !name_them(base))
-        for (base.append("_").append(std::to_string(planned.size())); !name_them(base);)
+        for (base.append("_").append(std::to_string(planned_.size())); !name_them(base);)
           base += '_';
-      const bool clear_components = a.domain == Domain::corner ? !a.data.empty() : n == 1;
-      p.claim = p.properties[0] != a.name || (!clear_components && a.components != 1);
     }
-    used.insert(p.properties.begin(), p.properties.end());
-    planned.push_back(std::move(p));
+    used_.insert(p.properties.begin(), p.properties.end());
+    return p;
   }
-  return planned;
-}
+
+  // Metadata may come from anywhere.
+  bool can_be(const PropertyNames::Line& line, const Attribute& a) const {
+    const bool corner = a.domain == Domain::corner;
+    // Without entries a list would not say how many components there are.
+    if (line.list && !corner && a.data.empty()) return false;
+    if (line.properties.size() != (line.list ? 1u : std::size_t{a.components})) return false;
+    std::set<std::string> own;
+    return std::all_of(line.properties.begin(), line.properties.end(), [&](const std::string& p) {
+      return as_property(p) == p && !used_.contains(p) && own.insert(p).second;
+    });
+  }
+
+  // Reads the header as it would be, and claims what would become other attributes.
+  bool claim_what_reads_otherwise(const std::string& indices) {
+    Element element;
+    element.name = of_vertices_ ? "vertex" : "face";
+    if (!of_vertices_)
+      element.properties.push_back({indices, Scalar::int32, Scalar::uint8, Meaning::index});
+    std::vector<std::size_t> first;
+    for (const Planned& p : planned_) {
+      first.push_back(element.properties.size());
+      if (p.claim)
+        element.claims.push_back({first.back(), p.attribute->components, p.attribute->name});
+      for (const std::string& name : p.properties)
+        element.properties.push_back({name, p.attribute->scalar,
+                                      p.list ? std::optional(Scalar::uint8) : std::nullopt,
+                                      Meaning::value});
+    }
+    const std::vector<Entry> entries = plan(element);
+    std::map<std::size_t, const Entry*> at;
+    for (const Entry& e : entries) at[e.members[0]] = &e;
+    bool changed = false;
+    for (std::size_t i = 0; i < planned_.size(); ++i) {
+      Planned& p = planned_[i];
+      if (p.claim) continue;
+      const Attribute& a = *p.attribute;
+      const auto found = at.find(first[i]);
+      const bool same_members =
+          found != at.end() && found->second->members.size() == p.properties.size();
+      bool right =
+          same_members && found->second->attribute == a.name && found->second->domain == a.domain;
+      for (std::size_t k = 0; right && k < p.properties.size(); ++k)
+        right = found->second->members[k] == first[i] + k;
+      // Lists of the known names still have to be of as many values as are known.
+      if (right && a.domain == Domain::corner)
+        right = !a.data.empty() && a.components >= 2 && a.components <= 4;
+      if (right) continue;
+      changed = true;
+      if (p.list && a.domain != Domain::corner) {  // a claim would make it a corner attribute
+        p = named(a, nullptr);
+      } else {
+        p.claim = true;
+      }
+    }
+    return changed;
+  }
+
+  const Mesh& mesh_;
+  const PropertyNames& names_;
+  bool of_vertices_;
+  std::set<std::string> used_;
+  std::vector<Planned> planned_;
+};
 
 // The values of an element's entries, one after the other.
 class BodyWriter {
@@ -137,20 +216,24 @@ class Writer {
       : mesh_(mesh),
         encoding_(encoding),
         out_(out),
-        vertex_(plan(mesh, true, notes)),
-        face_(plan(mesh, false, notes)) {}
+        names_(PropertyNames::of(mesh)),
+        indices_(names_indices(names_.indices) ? names_.indices : std::string(usual_indices)),
+        vertex_(Planner(mesh, names_, true).run(indices_, notes)),
+        face_(Planner(mesh, names_, false).run(indices_, notes)),
+        notes_(notes) {}
 
   Expected<Done> write() {
     if (mesh_.vertex_count > 0 && vertex_.empty())
       return fail(
           ErrorCode::unsupported,
           "expected the vertices to have an attribute that PLY can hold, such as positions");
-    std::uint64_t longest = 0;
+    std::uint64_t longest = 0, longest_value = 0;
     for (std::size_t f = 0; f < mesh_.face_count(); ++f)
       longest = std::max<std::uint64_t>(longest, face_size(mesh_, f));
     for (const Planned& p : face_)
       if (p.attribute->domain == Domain::corner)
-        longest = std::max(longest, longest * p.attribute->components);
+        longest_value = std::max(longest_value, longest * p.attribute->components);
+    longest = std::max(longest, longest_value);
     if (longest > 0xffffffffu)
       return fail(ErrorCode::too_large, "expected lists of fewer than 2^32 values");
     count_type_ = longest <= 255 ? Scalar::uint8 : Scalar::uint32;
@@ -166,6 +249,7 @@ class Writer {
          << " 1.0\n";
     if (!mesh_.name.empty())
       out_ << "comment " << mesh_comment << ' ' << percent_encoded(mesh_.name) << '\n';
+    foreign_lines();
     out_ << "element vertex ";
     out_.number(mesh_.vertex_count);
     out_ << '\n';
@@ -174,8 +258,8 @@ class Writer {
     out_.number(mesh_.face_count());
     // int, if it can be, because that is what every program reads.
     index_type_ = mesh_.vertex_count <= 0x80000000u ? Scalar::int32 : Scalar::uint32;
-    out_ << "\nproperty list " << type_name(count_type_) << ' ' << type_name(index_type_)
-         << " vertex_indices\n";
+    out_ << "\nproperty list " << type_name(count_type_) << ' ' << type_name(index_type_) << ' '
+         << indices_ << '\n';
     properties(face_);
     out_ << "end_header\n";
   }
@@ -190,7 +274,7 @@ class Writer {
       }
       for (const std::string& name : p.properties) {
         out_ << "property ";
-        if (a.domain == Domain::corner) out_ << "list " << type_name(count_type_) << ' ';
+        if (p.list) out_ << "list " << type_name(count_type_) << ' ';
         out_ << type_name(a.scalar) << ' ' << name << '\n';
       }
     }
@@ -199,7 +283,7 @@ class Writer {
   void vertices() {
     BodyWriter body(encoding_, out_);
     for (std::size_t v = 0; v < mesh_.vertex_count; ++v) {
-      for (const Planned& p : vertex_) values(body, *p.attribute, v, 1);
+      for (const Planned& p : vertex_) values(body, p, v, 1);
       body.end_entry();
     }
   }
@@ -212,28 +296,51 @@ class Writer {
       body.size(size, count_type_);
       for (std::size_t i = 0; i < size; ++i) body.index(mesh_.corners[corner + i]);
       for (const Planned& p : face_) {
-        const Attribute& a = *p.attribute;
-        if (a.domain == Domain::corner) {
-          body.size(std::uint64_t{size} * a.components, count_type_);
-          values(body, a, corner, size);
-        } else {
-          values(body, a, f, 1);
-        }
+        const bool corners = p.attribute->domain == Domain::corner;
+        values(body, p, corners ? corner : f, corners ? size : 1);
       }
       corner += size;
       body.end_entry();
     }
   }
 
-  static void values(BodyWriter& body, const Attribute& a, std::size_t first, std::size_t count) {
+  void values(BodyWriter& body, const Planned& p, std::size_t first, std::size_t count) {
+    const Attribute& a = *p.attribute;
+    if (p.list) body.size(std::uint64_t{count} * a.components, count_type_);
     for (std::size_t i = first * a.components; i < (first + count) * a.components; ++i)
       body.value(a, i);
+  }
+
+  // The comments and more of other programs.
+  void foreign_lines() {
+    std::uint64_t ours = 0;
+    for_each_line(mesh_, comment_key, [&](std::string_view line) {
+      // One that reads like ours would be taken for it.
+      if (Text words(line); words.token() == "clers" && words.token() == "mesh")
+        ++ours;
+      else
+        write_line("comment", line);
+    });
+    note_left_out(notes_, ours, "comment", "comments", "it would name the mesh");
+    for_each_line(mesh_, obj_info_key,
+                  [&](std::string_view line) { write_line("obj_info", line); });
+    note_metadata_left_out(notes_, mesh_, {comment_key, obj_info_key, properties_key});
+  }
+
+  void write_line(std::string_view keyword, std::string_view line) {
+    out_ << keyword;
+    if (!line.empty() && line[0] != ' ' && line[0] != '\t') out_ << ' ';
+    for (const char c : line) out_ << (c == '\r' ? ' ' : c);
+    out_ << '\n';
   }
 
   const Mesh& mesh_;
   Encoding encoding_;
   Output& out_;
+  PropertyNames names_;
+  std::string indices_;
   std::vector<Planned> vertex_, face_;
+  Notes& notes_;
   Scalar count_type_ = Scalar::uint8, index_type_ = Scalar::int32;
 };
 

@@ -19,15 +19,31 @@ inline std::string_view as_text(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// What counts as blank besides spaces, tabs and carriage returns.
-struct Syntax {
-  bool comments = false;       ///< '#' to the end of the line
-  bool continuations = false;  ///< '\' before the end of the line
+/// The comments of a text, each once, however often the cursor looks at it.
+class Comments {
+ public:
+  void add(std::string_view comment);
+  std::uint64_t count() const { return count_; }
+  /// A comment a line; the last line has no end.
+  std::string take() { return std::move(lines_); }
+
+ private:
+  std::string lines_;
+  std::uint64_t count_ = 0;
+  const char* seen_ = nullptr;  // up to where
 };
 
-/// A cursor over text. Reading a token, an integer or a number first skips blanks, but no line
-/// ends: what may go on to the next line calls skip_space() before. A read that fails moves no
-/// further than the blanks, so that expected() can tell what stands there.
+/// What counts as blank besides spaces, tabs and byte order marks.
+struct Syntax {
+  bool comments = false;       ///< '#' where a token could begin, to the end of the line
+  bool continuations = false;  ///< '\' before the end of the line
+  Comments* kept = nullptr;    ///< where comments go, if anywhere
+};
+
+/// A cursor over text, whose lines end in LF, CR LF or CR. Reading a token, an integer or a number
+/// first skips blanks, but no line ends: what may go on to the next line calls skip_space() before.
+/// A read that fails moves no further than the blanks, so that expected() can tell what stands
+/// there.
 class Text {
  public:
   explicit Text(std::string_view text, Syntax syntax = {})
@@ -45,17 +61,18 @@ class Text {
 
   void skip_blanks() {
     for (;;) {
-      while (at_ != end_ && (*at_ == ' ' || *at_ == '\t' || *at_ == '\r')) ++at_;
-      if (at_ == end_ || (*at_ != '#' && *at_ != '\\') || !skip_comment_or_continuation()) return;
+      while (at_ != end_ && (*at_ == ' ' || *at_ == '\t')) ++at_;
+      if (at_ == end_ || (*at_ != '#' && *at_ != '\\' && *at_ != '\xef') || !skip_odd_blank())
+        return;
     }
   }
   void skip_space() {
-    for (skip_blanks(); at_ != end_ && *at_ == '\n'; skip_blanks()) ++at_;
+    for (skip_blanks(); at_ != end_ && ends_line(*at_); skip_blanks()) ++at_;
   }
   /// Whether nothing but blanks is left on the line.
   bool at_line_end() {
     skip_blanks();
-    return at_ == end_ || *at_ == '\n';
+    return at_ == end_ || ends_line(*at_);
   }
   /// Whether nothing but blanks and line ends is left.
   bool at_end() {
@@ -64,9 +81,11 @@ class Text {
   }
   /// Goes to the start of the next line.
   void next_line() {
-    while (!at_line_end()) ++at_;
-    if (at_ != end_) ++at_;
+    while (!at_line_end()) token();
+    skip_line_end();
   }
+  /// Precondition: at the end of a line, or of the text.
+  void skip_line_end() { at_ = after_line_end(at_); }
 
   /// Whether no token goes on here.
   bool at_token_end() const { return ends_token(at_); }
@@ -78,6 +97,9 @@ class Text {
   /// All up to the end of the line, without the blanks around it; comments are no comments here.
   std::string_view rest_of_line();
 
+  /// All up to the end of the line, blanks and all.
+  std::string_view raw_rest_of_line();
+
   /// A whole token that is an integer. What does not fit T is no T.
   template <class T>
   bool integer(T& value) {
@@ -88,8 +110,8 @@ class Text {
     at_ = end;
     return true;
   }
-  /// A whole token that is a decimal number, inf or nan; rounded to the nearest T, also to zero.
-  /// What is too large for T is no number.
+  /// A whole token that is a decimal number, inf, nan, or what old C libraries wrote for these;
+  /// rounded to the nearest T, also to zero. What is too large for T is no number.
   template <class T>
   bool number(T& value) {
     skip_blanks();
@@ -99,8 +121,13 @@ class Text {
       value = *from == '-' ? -T(0) : T(0);
     else if (ec != std::errc())
       return false;
-    if (!ends_token(end)) return false;
-    at_ = end;
+    if (ends_token(end)) {
+      at_ = end;
+      return true;
+    }
+    double word = 0;
+    if (!number_word(from, word)) return false;
+    value = static_cast<T>(word);
     return true;
   }
   /// One character, directly at the cursor.
@@ -133,10 +160,17 @@ class Text {
   bool digit_at(const char* p) const { return p != end_ && *p >= '0' && *p <= '9'; }
   bool sign_at(const char* p) const { return p != end_ && (*p == '+' || *p == '-'); }
   bool ends_token(const char* p) const {
-    return p == end_ || *p == ' ' || *p == '\n' || *p == '\t' || *p == '\r' ||
-           (*p == '#' && syntax_.comments) || (*p == '\\' && syntax_.continuations);
+    return p == end_ || *p == ' ' || *p == '\t' || ends_line(*p) ||
+           (*p == '\\' && syntax_.continuations && after_line_end(p + 1) != p + 1);
   }
-  bool skip_comment_or_continuation();
+  static bool ends_line(char c) { return c == '\n' || c == '\r'; }
+  /// Past the end of a line at p; p if there is none.
+  const char* after_line_end(const char* p) const {
+    if (p != end_ && *p == '\r') return p + 1 + (p + 1 != end_ && p[1] == '\n');
+    return p + (p != end_ && *p == '\n');
+  }
+  bool skip_odd_blank();
+  bool number_word(const char* from, double& value);
   static bool rounds_to_zero(std::string_view number);
 
   const char* begin_;

@@ -8,7 +8,7 @@ TEST(Off, ReadsEveryKindOfVertex) {
                         "# made by hand\nSTCNOFF # kind\n\n3 2 # no edges\n"
                         "0 0 0  0 0 1  255 0 0 255  0.5 1\n"
                         "1 0 0  0 0 1  0 255 0 255  0 1\n"
-                        "0 1 0\n 0 0 1  0 0 255 0  1 1\n"
+                        "0 1 0  0 0 1  0 0 255 0  1 1\n"
                         "3 0 1 2\n3\n2 1\n0\n",
                         Format::off)
                         .meshes[0];
@@ -39,8 +39,8 @@ TEST(Off, ColoursOfFacesAreKeptIfAllHaveThem) {
   EXPECT_EQ(mesh.face_sizes, (std::vector<std::uint32_t>{3, 2}));
   EXPECT_EQ(values_of<std::uint8_t>(get(mesh, "color", Domain::face)),
             (std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6}));
-  for (const char* faces :
-       {"3 0 1 2 1 2 3\n3 0 1 2\n", "3 0 1 2 1 2 3\n3 0 1 2 1 2 3 4\n", "3 0 1 2 7\n3 0 1 2 8\n"}) {
+  for (const char* faces : {"3 0 1 2 1 2 3\n3 0 1 2\n", "3 0 1 2 1 2 3\n3 0 1 2 1 2 3 4\n",
+                            "3 0 1 2 7\n3 0 1 2 8 8 8\n"}) {
     const ReadResult result = must_read(start + faces, Format::off);
     EXPECT_EQ(result.meshes[0].attributes.size(), 1u);
     EXPECT_TRUE(notes_say(result.notes, "left out")) << faces;

@@ -140,7 +140,7 @@ TEST_P(EveryPly, FacesHaveScalarsAndCornersHaveLists) {
   EXPECT_EQ(values_of<float>(texcoord).back(), 13.f);
   EXPECT_EQ(values_of<std::uint8_t>(get(mesh, "quality", Domain::face)),
             (std::vector<std::uint8_t>{200, 100}));
-  EXPECT_TRUE(notes_say(result.notes, "list 'other'"));
+  EXPECT_TRUE(notes_say(result.notes, "1 list was left out"));
 }
 
 TEST_P(EveryPly, ElementsMayComeInAnyOrderAndOthersAreNoted) {
@@ -157,9 +157,9 @@ TEST_P(EveryPly, ElementsMayComeInAnyOrderAndOthersAreNoted) {
       Format::ply);
   EXPECT_EQ(result.meshes[0].corners, (std::vector<std::uint32_t>{0, 1, 2}));
   EXPECT_TRUE(result.meshes[0].triangles_only());
-  EXPECT_TRUE(notes_say(result.notes, "element 'edge' (1 entry)"));
-  EXPECT_TRUE(notes_say(result.notes, "2 comments"));
-  EXPECT_TRUE(notes_say(result.notes, "1 line obj_info"));
+  EXPECT_TRUE(notes_say(result.notes, "1 element was left out: not part of a mesh: 'edge'"));
+  EXPECT_EQ(metadata_of(result.meshes[0], "comment"), " one\n three");
+  EXPECT_EQ(metadata_of(result.meshes[0], "obj_info"), " two");
 }
 
 // Two strips, the second with a restart and with vertices that are repeated to join.
@@ -246,7 +246,7 @@ TEST(Ply, BytesAfterABinaryBodyAreNoted) {
   const ReadResult result = must_read(
       "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty uchar a\nend_header\nAxyz",
       Format::ply);
-  EXPECT_TRUE(notes_say(result.notes, "3 bytes after the last element were left out"));
+  EXPECT_TRUE(notes_say(result.notes, "3 bytes were left out: after the last element"));
 }
 
 TEST(Ply, WriterUsesTheConventionalNames) {
@@ -277,7 +277,8 @@ TEST(Ply, WriterUsesTheConventionalNames) {
             "end_header\n"
             "0 0 0 1 2\n1 0 0 3 4\n0 1 0 5 6\n"
             "3 0 1 2 1 2 3 6 0 0 1 0 0 1\n");
-  EXPECT_TRUE(notes_say(written.notes, "'id' (1 x int64) was left out"));
+  EXPECT_TRUE(notes_say(written.notes,
+                        "1 vertex attribute was left out: PLY has no 64-bit integers: 'id'"));
 }
 
 TEST(Ply, NamesThatCollideComeBack) {

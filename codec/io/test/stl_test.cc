@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 
 #include "codec/io/test/meshes.h"
@@ -32,21 +33,23 @@ TEST(Stl, WeldsABinaryFileEvenIfItBeginsWithSolid) {
     EXPECT_EQ(mesh.corners, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
     EXPECT_EQ(values_of<float>(*mesh.position()),
               (std::vector<float>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}));
-    for (const char* note : {"6 corners became 4 vertices", "1 facet normal was",
-                             "the attribute bytes of 1 triangle were"})
+    for (const char* note : {"6 corners became 4 vertices", "1 facet normal came from the corners",
+                             "1 pair of attribute bytes was left out"})
       EXPECT_TRUE(notes_say(result.notes, note)) << note;
   }
   EXPECT_TRUE(notes_say(must_read(square("") + "xyz", Format::stl).notes,
-                        "3 bytes after the last triangle were left out"));
+                        "3 bytes were left out: after the last triangle"));
 }
 
-TEST(Stl, WeldsByBitsNotByValue) {
+TEST(Stl, WeldsByValueAndKeepsTheSignOfTheFirst) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   std::string file = std::string(80, '\0') + std::string("\1\0\0\0", 4);
-  for (const float x : {0.f, 0.f, 0.f, 0.f, nan, 0.f, -0.f, nan, 0.f, 0.f, nan, 0.f})
+  for (const float x : {0.f, 0.f, 0.f, -0.f, nan, 0.f, 0.f, nan, -0.f, 0.f, nan, -nan})
     file += little(x);
-  const Mesh mesh = must_read(file + std::string(2, '\0'), Format::stl).meshes[0];
-  EXPECT_EQ(mesh.corners, (std::vector<std::uint32_t>{0, 1, 0}));
+  const ReadResult result = must_read(file + std::string(2, '\0'), Format::stl);
+  EXPECT_EQ(result.meshes[0].corners, (std::vector<std::uint32_t>{0, 0, 1}));
+  EXPECT_TRUE(std::signbit(values_of<float>(*result.meshes[0].position())[0]));
+  EXPECT_TRUE(notes_say(result.notes, "2 zeros took the sign"));
 }
 
 constexpr char text_square[] =
@@ -62,14 +65,14 @@ TEST(Stl, ReadsText) {
   const Mesh& mesh = result.meshes[0];
   EXPECT_EQ(mesh.name, "my square");
   EXPECT_EQ(mesh.corners, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
-  EXPECT_TRUE(notes_say(result.notes, "1 facet normal was"));
+  EXPECT_TRUE(notes_say(result.notes, "1 facet normal came from the corners"));
   const ReadResult two = must_read(std::string(text_square) + text_square, Format::stl);
   EXPECT_EQ(two.meshes[0].face_count(), 4u);
   EXPECT_EQ(two.meshes[0].vertex_count, 4u);
-  EXPECT_TRUE(notes_say(two.notes, "2 solids became one mesh"));
+  EXPECT_TRUE(notes_say(two.notes, "2 solids were left out: they became one mesh"));
 }
 
-TEST(Stl, WritesTrianglesOnly) {
+TEST(Stl, WritesTrianglesAndPolygonsAsFans) {
   Mesh mesh = must_read(text_square, Format::stl).meshes[0];
   for (const Encoding encoding : {Encoding::text, Encoding::binary}) {
     Mesh read = must_read(must_write(mesh, Format::stl, encoding).bytes, Format::stl).meshes[0];
@@ -80,11 +83,10 @@ TEST(Stl, WritesTrianglesOnly) {
   mesh.face_sizes = {3, 3};
   EXPECT_EQ(must_write(mesh, Format::stl).bytes.size(), 84u + 2 * 50);
   mesh.face_sizes = {2, 4};
-  const Expected<WriteResult> refused = write({&mesh, 1}, Format::stl);
-  ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.error().code, ErrorCode::unsupported);
-  EXPECT_EQ(refused.error().place, Place::face);
-  EXPECT_EQ(refused.error().at, 0u);
+  const WriteResult fanned = must_write(mesh, Format::stl);
+  EXPECT_TRUE(notes_say(fanned.notes, "1 polygon became 2 triangles"));
+  EXPECT_TRUE(notes_say(fanned.notes, "1 face of fewer than three corners was left out"));
+  EXPECT_EQ(fanned.bytes.size(), 84u + 2 * 50);
 }
 
 TEST(Stl, NotesWhatItCannotHold) {
@@ -97,9 +99,10 @@ TEST(Stl, NotesWhatItCannotHold) {
       attribute<float>("quality", Domain::face, 1, {1}),
   };
   const WriteResult written = must_write(mesh, Format::stl);
-  for (const char* note :
-       {"2 coordinates were rounded to float32", "'quality' (1 x float32) was left",
-        "1 vertex of no face was left out", "the name 'a' was left out"})
+  for (const char* note : {"1 coordinate was rounded to float32",
+                           "1 coordinate is too large for float32 and became infinite",
+                           "'quality' (1 x float32) was left", "1 vertex of no face was left out",
+                           "the name 'a' was left out"})
     EXPECT_TRUE(notes_say(written.notes, note)) << note;
 }
 
