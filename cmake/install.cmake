@@ -18,6 +18,20 @@ install(FILES
   ${CMAKE_CURRENT_BINARY_DIR}/clers-config-version.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/clers)
 
+# Installed libraries look for each other beside themselves, and the program for them from where it lies:
+# a tree with shared libraries runs from any prefix.
+if(NOT DEFINED CMAKE_INSTALL_RPATH)
+  file(RELATIVE_PATH clers_to_libraries /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${CMAKE_INSTALL_LIBDIR})
+  set(clers_libraries clers_codec clers_topology clers_modeling)
+  if(CLERS_IO)
+    list(APPEND clers_libraries clers_io)
+  endif()
+  set_target_properties(${clers_libraries} PROPERTIES INSTALL_RPATH "$ORIGIN")
+  if(CLERS_CLI AND BUILD_SHARED_LIBS)
+    set_target_properties(clers_cli PROPERTIES INSTALL_RPATH "$ORIGIN/${clers_to_libraries}")
+  endif()
+endif()
+
 set(clers_pc_libs "-lclers_codec -lclers_modeling -lclers_topology")
 if(CLERS_IO)
   string(PREPEND clers_pc_libs "-lclers_io ")
@@ -39,3 +53,4 @@ if(CLERS_CLI)
   configure_file(codec/cli/clers.1.in clers.1 @ONLY)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/clers.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endif()
+install(FILES LICENSE codec/format.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
