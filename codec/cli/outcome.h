@@ -16,6 +16,7 @@ enum class Exit : int {
   input = 3,      ///< an input cannot be read or is not accepted
   limit = 4,      ///< a limit was hit, memory included
   output = 5,     ///< writing failed
+  undecided = 6,  ///< verify could not decide within the work allowed
 };
 
 /// Why a run stops: the status and one line for stderr, without the program's name.

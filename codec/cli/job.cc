@@ -1,0 +1,135 @@
+#include "codec/cli/job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "codec/cli/printable.h"
+#include "codec/cli/report.h"
+
+namespace clers::cli {
+
+void complain(const std::string& line) {
+  fmt::print(stderr, "clers: {}\n", printable(line));
+}
+
+Outcome<io::Format> format_for(const std::string& path, std::optional<io::Format> given,
+                               const char* option) {
+  if (given) return *given;
+  const std::size_t dot = path.rfind('.');
+  if (dot != std::string::npos)
+    if (const auto format = io::format_of(path.substr(dot))) return *format;
+  return stop(
+      Exit::usage,
+      path == "-"
+          ? fmt::format("-: has no name to tell its format; {} ply, obj, off or stl does", option)
+          : fmt::format("{}: its name does not tell its format; {} ply, obj, off or stl does", path,
+                        option));
+}
+
+const char* extension(io::Format format) {
+  switch (format) {
+    case io::Format::ply: return ".ply";
+    case io::Format::obj: return ".obj";
+    case io::Format::off: return ".off";
+    case io::Format::stl: return ".stl";
+  }
+  return "";
+}
+
+std::string losses(const io::Notes& notes) {
+  std::string out;
+  for (std::size_t i = 0; i < notes.lines.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == notes.lines.size() ? " and " : ", ") + notes.lines[i];
+  return out;
+}
+
+std::optional<io::Format> format_encoded(const std::vector<Mesh>&) {
+  return std::nullopt;
+}
+
+Outcome<Bytes> Job::read(const std::string& path) {
+  progress_.next();
+  auto bytes = read_file(path);
+  if (bytes) bytes_read_ += bytes->size();
+  return bytes;
+}
+
+Outcome<MeshFile> Job::read_meshes(const std::string& path) {
+  const Outcome<io::Format> format = format_for(path, options_.from, "--from");
+  if (!format) return Failure{format.error()};
+  const Outcome<Bytes> bytes = read(path);
+  if (!bytes) return Failure{bytes.error()};
+  progress_.next();
+  Expected<io::ReadResult> read = io::read(*bytes, *format);
+  if (!read) return stop(input_name(path), read.error());
+  return MeshFile{std::move(read->meshes), std::move(read->notes)};
+}
+
+Outcome<std::vector<Mesh>> Job::decode(std::span<const std::byte> bytes) {
+  progress_.next();
+  DecodeOptions how = options_.decode;
+  how.progress = progress_.callback();
+  if (!options_.piece) {
+    Expected<std::vector<Mesh>> meshes = clers::decode(bytes, how);
+    if (!meshes) return not_accepted(meshes.error());
+    return std::move(*meshes);
+  }
+  Expected<Piece> piece = clers::decode_piece(bytes, *options_.piece, how);
+  if (!piece)
+    return piece.error().code == ErrorCode::bad_option
+               ? stop(Exit::usage, name() + ": " + piece.error().what)
+               : not_accepted(piece.error());
+  std::vector<Mesh> one;
+  one.push_back(std::move(piece->mesh));
+  return one;
+}
+
+Failure<Stop> Job::not_accepted(const Error& error) const {
+  const bool mesh = input_.find('.') != std::string::npos && io::format_of(input_);
+  if (error.code == ErrorCode::not_clers && mesh)
+    return stop(Exit::input, name() +
+                                 ": is no .clers file but a mesh file; clers encode compresses "
+                                 "it, clers check measures it");
+  return stop(name(), error);
+}
+
+void Job::note(const std::string& file, const io::Notes& notes) {
+  note(file, notes.lines);
+}
+
+void Job::note(const std::string& file, const std::vector<std::string>& lines) {
+  whole_ = whole_ && lines.empty();
+  if (options_.quiet || lines.empty()) return;
+  progress_.hide();
+  for (const std::string& line : lines) complain(fmt::format("{}: note: {}", file, line));
+}
+
+std::string Job::sizes_and_time(const std::string& output, std::size_t size) const {
+  const auto [less, more] = std::minmax(bytes_read_, size);
+  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+  return fmt::format(
+      "{} -> {}: {} -> {} bytes, {:.2f} times {}, {:.2f} s", name(), output_name(output),
+      grouped(bytes_read_), grouped(size),
+      static_cast<double>(more) / static_cast<double>(std::max<std::size_t>(1, less)),
+      size < bytes_read_ ? "smaller" : "larger", seconds);
+}
+
+Outcome<Done> Job::save(const std::string& output, std::span<const std::byte> bytes,
+                        const std::string& result) {
+  progress_.next();
+  if (auto written = write_file(output, bytes, options_.force); !written) return written;
+  progress_.hide();
+  const bool in_a_pipe = input_ == "-" && output == "-";
+  if (!options_.quiet && !in_a_pipe)
+    fmt::print(stderr, "{}\n",
+               printable(result.empty() ? sizes_and_time(output, bytes.size()) : result));
+  if (!options_.remove_inputs || input_ == "-" || output == "-") return Done{};
+  if (whole_) return remove_input(input_);
+  if (!options_.quiet) complain(name() + ": note: is kept, since not all of it is in " + output);
+  return Done{};
+}
+
+}  // namespace clers::cli
