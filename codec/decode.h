@@ -10,24 +10,17 @@
 #include <vector>
 
 #include "codec/error.h"
+#include "codec/limits.h"
 #include "codec/mesh.h"
 #include "topology/ids.h"
 
 namespace clers {
 
-/// What a caller allows a file to cost. Exceeding one is ErrorCode::limit, found before anything is
-/// allocated for it.
-struct Limits {
-  std::uint64_t meshes = 1u << 20;
-  std::uint64_t vertices = 0xffffffffu;           ///< in one mesh
-  std::uint64_t faces = 0x55555555u;              ///< in one mesh
-  std::uint64_t memory = std::uint64_t(1) << 40;  ///< bytes of all meshes of the file, decoded
-};
-
 struct DecodeOptions {
   Limits limits;
   std::function<void(std::string_view stage, double done)> progress;  ///< as in EncodeOptions
-  unsigned threads = 1;  ///< over meshes and pieces, or the attributes of a single one
+  unsigned threads = 1;  ///< over meshes and pieces, or the attributes of a single one; 0: one a
+                         ///< core. They make no difference to the result, errors included
 };
 
 /// Decodes a .clers file. Trusts nothing: every index of a returned mesh is below its vertex_count,

@@ -94,7 +94,7 @@ Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& opti
   EncodeOptions in_pieces = options;
   in_pieces.order = Order::free;
   std::atomic<std::size_t> done{0};
-  std::vector<std::vector<std::uint32_t>> memory(std::max(1u, options.threads));
+  std::vector<std::vector<std::uint32_t>> memory(worker_count(options.threads, jobs.size()));
   const unsigned threads_inside = jobs.size() > 1 ? 1 : options.threads;
   for_each_item(jobs.size(), options.threads, [&](std::size_t j, unsigned worker) {
     double last = 0;

@@ -40,7 +40,8 @@ struct EncodeOptions {
   /// and by several threads. 0: in pieces of at most
   /// about default_piece_faces, if it has positions and more than most_faces_whole faces.
   std::uint32_t piece_faces = 0;
-  unsigned threads = 1;  ///< over meshes and pieces, or the attributes of a single one
+  unsigned threads = 1;  ///< over meshes and pieces, or the attributes of a single one; 0: one a
+                         ///< core. They make no difference to the bytes
 
   Order order = Order::free;
   OnOddity on_nonmanifold = OnOddity::keep;  ///< edges of more than two faces or of two that run

@@ -43,11 +43,18 @@ const char* name(ErrorCode code);
 /// What `Error::at` counts.
 enum class Place : std::uint8_t { nowhere, byte, line, face, vertex, edge, mesh, symbol };
 
+/// Which field of Limits does not allow an input.
+enum class Limited : std::uint8_t { nothing, meshes, vertices, faces, memory };
+
 struct Error {
   ErrorCode code = ErrorCode::internal;
   Place place = Place::nowhere;
   std::uint64_t at = 0;  ///< byte offset, line (from 1), or element index
   std::string what;      ///< what is wrong and what was expected, one line, no full stop
+  /// For ErrorCode::limit: the field of Limits to raise, and what it must be at least to get past
+  /// this error. `nothing`: no field would help.
+  Limited limited = Limited::nothing;
+  std::uint64_t needed = 0;
 };
 
 /// One line for people: "face 17 has 4 corners, expected 3".
@@ -57,10 +64,10 @@ template <class T>
 using Expected = Result<T, Error>;
 
 inline Failure<Error> fail(ErrorCode code, std::string what) {
-  return {Error{code, Place::nowhere, 0, std::move(what)}};
+  return {Error{code, Place::nowhere, 0, std::move(what), Limited::nothing, 0}};
 }
 inline Failure<Error> fail(ErrorCode code, Place place, std::uint64_t at, std::string what) {
-  return {Error{code, place, at, std::move(what)}};
+  return {Error{code, place, at, std::move(what), Limited::nothing, 0}};
 }
 
 }  // namespace clers

@@ -28,9 +28,9 @@ void add_attributes(const PieceSections& piece, MeshInfo& mesh) {
 
 }  // namespace
 
-Expected<FileInfo> inspect(std::span<const std::byte> bytes) try {
+Expected<FileInfo> inspect(std::span<const std::byte> bytes, const Limits& limits) try {
   ContainerReader file(bytes);
-  auto sections = read_meshes(file, Limits{});
+  auto sections = read_meshes(file, limits);
   if (!sections) return Failure{sections.error()};
   FileInfo info;
   info.format_major = format_major;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "codec/error.h"
+#include "codec/limits.h"
 #include "codec/mesh.h"
 
 namespace clers {
@@ -74,7 +75,8 @@ struct FileInfo {
 };
 
 /// Describes a .clers file. Checks it as decode does, and decodes the connectivity to count.
-Expected<FileInfo> inspect(std::span<const std::byte> bytes);
+/// Errors: those of decode.
+Expected<FileInfo> inspect(std::span<const std::byte> bytes, const Limits& limits = {});
 
 /// Measures any mesh, polygons and non-manifold ones included. Errors: inconsistent_mesh.
 Expected<MeshShape> measure(const Mesh& mesh);

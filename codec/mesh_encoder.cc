@@ -8,6 +8,7 @@
 
 #include "codec/adjacency.h"
 #include "codec/attribute.h"
+#include "codec/check.h"
 #include "codec/duplicates.h"
 #include "codec/file_order.h"
 #include "codec/loose_faces.h"
@@ -73,8 +74,9 @@ Expected<Done> check_arrays(const Mesh& mesh) {
   for (const Attribute& a : mesh.attributes) {
     if (a.name.size() > 255)
       return fail(ErrorCode::inconsistent_mesh, "an attribute's name is longer than 255 bytes");
-    if (static_cast<unsigned>(a.scalar) >= scalar_count || a.components == 0 ||
-        a.data.size() != mesh.value_count(a.domain) * a.stride())
+    if (const std::string defect = kind_defect(a); !defect.empty())
+      return fail(ErrorCode::inconsistent_mesh, "attribute \"" + a.name + "\" has " + defect);
+    if (a.data.size() != mesh.value_count(a.domain) * a.stride())
       return fail(ErrorCode::inconsistent_mesh,
                   "attribute \"" + a.name + "\" has " + std::to_string(a.data.size()) +
                       " bytes of values, expected " + std::to_string(mesh.value_count(a.domain)) +

@@ -6,9 +6,14 @@
 namespace clers {
 namespace {
 
-Failure<Error> over(std::uint64_t at, const char* what, std::uint64_t value, std::uint64_t limit) {
-  return fail(ErrorCode::limit, Place::byte, at,
-              std::to_string(value) + " " + what + ", the limit is " + std::to_string(limit));
+Failure<Error> over(std::uint64_t at, Limited limited, const char* what, std::uint64_t value,
+                    std::uint64_t limit) {
+  auto failure =
+      fail(ErrorCode::limit, Place::byte, at,
+           std::to_string(value) + " " + what + ", the limit is " + std::to_string(limit));
+  failure.error.limited = limited;
+  failure.error.needed = value;
+  return failure;
 }
 
 PieceSections::Stream read_stream(ByteReader& in) {
@@ -111,8 +116,9 @@ Expected<PieceSections> read_piece(const Section& section, const Limits& limits)
                                                   : read_surface(section, in, mesh);
   if (!ok) return Failure{ok.error()};
   if (mesh.vertices > limits.vertices)
-    return over(section.at, "vertices", mesh.vertices, limits.vertices);
-  if (mesh.faces > limits.faces) return over(section.at, "faces", mesh.faces, limits.faces);
+    return over(section.at, Limited::vertices, "vertices", mesh.vertices, limits.vertices);
+  if (mesh.faces > limits.faces)
+    return over(section.at, Limited::faces, "faces", mesh.faces, limits.faces);
   return mesh;
 }
 
@@ -160,7 +166,8 @@ class MeshesReader {
   explicit MeshesReader(const Limits& limits)
       : limits_(limits),
         // No more than can be addressed, so that sizes fit in std::size_t.
-        memory_(std::min<std::uint64_t>(limits.memory, PTRDIFF_MAX)) {}
+        memory_(
+            std::min<std::uint64_t>(limits.memory.value_or(std::uint64_t(1) << 40), PTRDIFF_MAX)) {}
 
   Expected<Done> take(const Section& section) {
     const bool any_piece = !meshes.empty() && !meshes.back().pieces.empty();
@@ -213,7 +220,7 @@ class MeshesReader {
   Expected<Done> begin_mesh(const Section& section) {
     if (auto ok = finish_mesh(section); !ok) return ok;
     if (meshes.size() >= limits_.meshes)
-      return over(section.at, "meshes or more", meshes.size() + 1, limits_.meshes);
+      return over(section.at, Limited::meshes, "meshes or more", meshes.size() + 1, limits_.meshes);
     meshes.emplace_back();
     return Done{};
   }
@@ -232,7 +239,8 @@ class MeshesReader {
     piece->first_face = mesh.faces;
     piece->first_corner = mesh.corners;
     const std::uint64_t size = 4 * (piece->corners + (piece->may_have_sizes() ? piece->faces : 0));
-    if (!spend(size)) return over(section.at, "bytes for faces and more", size, limits_.memory);
+    if (!spend(size))
+      return over(section.at, Limited::memory, "bytes for faces and more", size, memory_);
     mesh.pieces.push_back(std::move(*piece));
     return Done{};
   }
@@ -253,8 +261,9 @@ class MeshesReader {
     if (mesh.vertices > 0xffffffffu || mesh.corners > max_corners || mesh.faces > max_corners)
       return refuse("up to this piece there are more elements than numbers for them");
     if (mesh.vertices > limits_.vertices)
-      return over(piece.at, "vertices", mesh.vertices, limits_.vertices);
-    if (mesh.faces > limits_.faces) return over(piece.at, "faces", mesh.faces, limits_.faces);
+      return over(piece.at, Limited::vertices, "vertices", mesh.vertices, limits_.vertices);
+    if (mesh.faces > limits_.faces)
+      return over(piece.at, Limited::faces, "faces", mesh.faces, limits_.faces);
     return Done{};
   }
 
@@ -278,7 +287,8 @@ class MeshesReader {
     auto attribute = read_attribute(section, piece);
     if (!attribute) return Failure{attribute.error()};
     const std::uint64_t size = attribute->count * attribute->header.attribute.stride();
-    if (!spend(size)) return over(section.at, "bytes for values and more", size, limits_.memory);
+    if (!spend(size))
+      return over(section.at, Limited::memory, "bytes for values and more", size, memory_);
     piece.attributes.push_back(std::move(*attribute));
     return Done{};
   }

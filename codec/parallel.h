@@ -13,9 +13,16 @@
 
 namespace clers {
 
-/// Calls work(item, worker) once for each item 0 .. items - 1, from up to `threads` threads.
-/// Workers have numbers below `threads`; worker 0 is the calling thread. Items are begun in their
-/// order. When one throws, no more are begun, and what it threw is thrown again at the end.
+/// How many threads there is work for, when so many are asked for (0: one a core): at least 1.
+inline unsigned worker_count(unsigned threads, std::size_t items) {
+  if (threads == 0) threads = std::thread::hardware_concurrency();
+  return static_cast<unsigned>(std::clamp<std::size_t>(items, 1, std::max(threads, 1u)));
+}
+
+/// Calls work(item, worker) once for each item 0 .. items - 1, from up to `threads` threads (0: one
+/// a core). Workers have numbers below worker_count(threads, items); worker 0 is the calling
+/// thread. Items are begun in their order. When one throws, no more are begun, and what it threw is
+/// thrown again at the end.
 template <class Work>
 void for_each_item(std::size_t items, unsigned threads, const Work& work) {
   std::atomic<std::size_t> next{0};
@@ -31,7 +38,7 @@ void for_each_item(std::size_t items, unsigned threads, const Work& work) {
     }
   };
   {
-    const std::size_t most = std::min<std::size_t>(threads, items);
+    const unsigned most = worker_count(threads, items);
     std::vector<std::jthread> others;
     others.reserve(most);
     try {

@@ -236,7 +236,7 @@ TEST(Decode, Limits) {
   options = {};
   options.limits.memory = 12 * mesh.face_count() + 12 * mesh.vertex_count;
   EXPECT_TRUE(decode(coded->bytes, options).ok());
-  --options.limits.memory;
+  --*options.limits.memory;
   EXPECT_EQ(decode(coded->bytes, options).error().code, ErrorCode::limit);
   options = {};
   options.limits.meshes = 0;
