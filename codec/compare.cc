@@ -1,5 +1,6 @@
 #include "codec/compare.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -95,6 +96,30 @@ Comparison compare(const Mesh& a, const Mesh& b) {
   if (auto what = renumbering_fails(first, second, image))
     return {Verdict::undecided, std::move(*what)};  // colours collided
   return result;
+}
+
+std::string metadata_difference(const Mesh& a, const Mesh& b) {
+  const auto sorted = [](const Mesh& mesh) {
+    std::vector<const MetadataEntry*> entries;
+    for (const MetadataEntry& entry : mesh.metadata) entries.push_back(&entry);
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const auto* x, const auto* y) { return x->key < y->key; });
+    return entries;
+  };
+  const auto first = sorted(a), second = sorted(b);
+  const auto said = [](const std::string& key, const char* what) {
+    return "metadata '" + key + "': " + what;
+  };
+  std::size_t i = 0;
+  for (; i < first.size() && i < second.size(); ++i) {
+    const MetadataEntry &x = *first[i], &y = *second[i];
+    if (x.key < y.key) return said(x.key, "only the first has it");
+    if (y.key < x.key) return said(y.key, "only the second has it");
+    if (x.value != y.value) return said(x.key, "different values");
+  }
+  if (i < first.size()) return said(first[i]->key, "only the first has it");
+  if (i < second.size()) return said(second[i]->key, "only the second has it");
+  return {};
 }
 
 }  // namespace clers

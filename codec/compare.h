@@ -21,9 +21,13 @@ struct Comparison {
 
 /// Compares without any knowledge of the codec: refines classes of vertices by their values and
 /// their neighbourhoods until a renumbering is forced, then checks it. Positions may coincide.
-/// Attributes are matched by name and domain; their order does not matter, mesh names do not
-/// either.
+/// Attributes are matched by name and domain; their order does not matter, mesh names and metadata
+/// do not either.
 Comparison compare(const Mesh& a, const Mesh& b);
+
+/// The first difference of their metadata, for people ("metadata 'comment': only the first has it");
+/// empty if there is none. The order of entries does not matter.
+std::string metadata_difference(const Mesh& a, const Mesh& b);
 
 }  // namespace clers
 

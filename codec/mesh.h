@@ -45,6 +45,13 @@ struct Attribute {
   std::size_t stride() const { return size_of(scalar) * components; }
 };
 
+/// What a mesh's file said besides the mesh: where it came from, comments, names. The library
+/// carries it and looks at nothing; codec/io says what it writes there.
+struct MetadataEntry {
+  std::string key;    ///< UTF-8, 1 to 255 bytes, no other entry's
+  std::string value;  ///< any bytes
+};
+
 inline constexpr char position_name[] = "position";
 
 /// Faces are cycles of vertex indices, counterclockwise seen from outside, concatenated in
@@ -55,6 +62,7 @@ struct Mesh {
   std::vector<std::uint32_t> face_sizes;  ///< corners of each face; empty: all faces are triangles
   std::vector<Attribute> attributes;
   std::string name;  ///< of the object in its file; may be empty
+  std::vector<MetadataEntry> metadata;
 
   bool triangles_only() const { return face_sizes.empty(); }
   std::size_t face_count() const {

@@ -70,7 +70,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(text.ok());
   const auto from_text = io::read(text->bytes, io::Format::ply);
   require(from_text.ok());
-  const bool lost_nans = text->notes.lines != binary->notes.lines;
+  const bool lost_nans = text->notes.size() != binary->notes.size();
   require(lost_nans || equal(mesh, from_text->meshes[0]));
   return 0;
 }

@@ -8,7 +8,6 @@
 #include <charconv>
 #include <map>
 #include <string_view>
-#include <thread>
 
 #include "codec/cli/commands.h"
 #include "codec/cli/files.h"
@@ -149,7 +148,7 @@ class CommandLine {
       return usage(error.what());
     }
     if (help_) return explain();
-    if (command_ == nullptr) return usage("a command is needed: " + choices(command_names()));
+    if (command_ == nullptr) return usage("a command is needed: " + list(command_names(), "or"));
     if (!digit_.empty()) options_.encode.level = digit_[0] - '0';
     options_.inputs = many_;
     if (!original_.empty()) options_.inputs.push_back(original_);
@@ -368,15 +367,14 @@ class CommandLine {
         ->excludes(remove);
   }
   void threads(CLI::App& sub) {
-    const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-    options_.encode.threads = options_.decode.threads = cores;
+    options_.encode.threads = options_.decode.threads = 0;
     sub.add_option(
            "-T,--threads",
-           [this, cores](const CLI::results_t& values) {
+           [this](const CLI::results_t& values) {
              unsigned n = 0;
              if (!parse(values.back(), n) || n > 1024)
                refuse("--threads", "a number from 0 to 1024", values.back());
-             options_.encode.threads = options_.decode.threads = n == 0 ? cores : n;
+             options_.encode.threads = options_.decode.threads = n;
              return true;
            },
            "that work at the same time; 0, the default, is all cores. They make no difference to "
@@ -388,7 +386,7 @@ class CommandLine {
     sub.add_option(
            "--max-memory",
            [&limits](const CLI::results_t& values) {
-             if (!parse_size(values.back(), limits.memory))
+             if (!parse_size(values.back(), limits.memory.emplace()))
                refuse("--max-memory", "a size such as 64M or 2G", values.back());
              return true;
            },
@@ -421,7 +419,7 @@ class CommandLine {
             target = value.second;
             return true;
           }
-          refuse(name, choices(words), given.back());
+          refuse(name, list(words, "or"), given.back());
         },
         what);
   }
@@ -470,7 +468,7 @@ class CommandLine {
     const auto meant =
         other != other_names.end() ? std::optional(other->second) : closest(word, command_names());
     return meant ? fmt::format("{}; did you mean {}?", what, *meant)
-                 : fmt::format("{}; expected {}", what, choices(command_names()));
+                 : fmt::format("{}; expected {}", what, list(command_names(), "or"));
   }
 
   static std::string unknown_option(const CLI::App& app, std::string word) {

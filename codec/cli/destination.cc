@@ -10,19 +10,17 @@ namespace clers::cli {
 
 namespace fs = std::filesystem;
 
-Outcome<Destination> Destination::find(const std::vector<std::string>& inputs,
-                                       const std::optional<std::string>& output,
-                                       const char* suffix) {
+Outcome<Destination> Destination::find(const Options& options, const char* suffix) {
+  const auto& inputs = options.inputs;
+  const auto& output = options.output;
   std::error_code error;  // what is wrong with an output is told when it is made
   const bool directory = output && (output->ends_with('/') || fs::is_directory(*output, error));
-  if (output && !directory) {
-    if (inputs.size() > 1)
-      return stop(Exit::usage,
-                  *output == "-" ? "several inputs cannot go to standard output"
+  if (output && !directory && inputs.size() > 1)
+    return stop(Exit::usage, *output == "-"
+                                 ? "several inputs cannot go to standard output"
                                  : fmt::format("several inputs need a directory: -o {}/", *output));
-    return Destination(Kind::given, *output);
-  }
-  const Destination to(directory ? Kind::directory : Kind::beside, output.value_or(""));
+  const Destination to(options, directory ? Kind::directory : output ? Kind::given : Kind::beside);
+  if (to.kind_ == Kind::given) return to;
   std::map<std::string, std::string> taken;
   for (const std::string& input : inputs) {
     if (input == "-" && directory)
@@ -38,6 +36,12 @@ Outcome<Destination> Destination::find(const std::vector<std::string>& inputs,
   if (error == std::errc::file_exists) error = std::make_error_code(std::errc::not_a_directory);
   if (directory && error) return stop(Exit::output, *output + ": " + error.message());
   return to;
+}
+
+Outcome<std::string> Destination::of(const std::string& input, const char* suffix) const {
+  std::string output = path(input, suffix);
+  if (const auto ok = check_output(output, force_, inputs_); !ok) return Failure{ok.error()};
+  return output;
 }
 
 std::string Destination::path(const std::string& input, const char* suffix) const {

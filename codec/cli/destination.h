@@ -4,8 +4,9 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "codec/cli/commands.h"
+#include "codec/cli/files.h"
 #include "codec/cli/outcome.h"
 
 namespace clers::cli {
@@ -13,26 +14,32 @@ namespace clers::cli {
 /// One file or standard output, a directory, or beside each input.
 class Destination {
  public:
-  /// `output`: what -o says, if anything; a directory if it is one or ends in '/', and then made if
-  /// it is missing. Without, standard input goes to standard output and a file beside itself.
-  /// `suffix`: of the outputs' names, if it is known. Refuses what would put two outputs at one
-  /// place.
-  static Outcome<Destination> find(const std::vector<std::string>& inputs,
-                                   const std::optional<std::string>& output, const char* suffix);
+  /// What -o says: a directory if it is one or ends in '/', and then made if it is missing.
+  /// Without, standard input goes to standard output and a file beside itself. `suffix`: of the
+  /// names that are made, if it is known yet. Refuses what would put two outputs at one place.
+  static Outcome<Destination> find(const Options& options, const char* suffix);
 
-  /// The output of an input. `suffix`, such as ".ply", is of names that are made.
-  std::string path(const std::string& input, const char* suffix) const;
+  /// The output of an input: a name that is made has this suffix, such as ".ply". Fails if nothing
+  /// can or may be written there.
+  Outcome<std::string> of(const std::string& input, const char* suffix) const;
 
-  /// The name that was given for the output, or "-": not one made from the input's.
+  /// The name that was given for the output, or "-"; none if it is made from the input's.
   std::optional<std::string> given(const std::string& input) const;
 
  private:
   enum class Kind { given, directory, beside };
 
-  Destination(Kind kind, std::string where) : kind_(kind), where_(std::move(where)) {}
+  Destination(const Options& options, Kind kind)
+      : kind_(kind),
+        where_(options.output.value_or("")),
+        force_(options.force),
+        inputs_(ids_of(options.inputs)) {}
+  std::string path(const std::string& input, const char* suffix) const;
 
   Kind kind_;
   std::string where_;
+  bool force_;
+  FileIds inputs_;
 };
 
 }  // namespace clers::cli

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include <new>
+#include <span>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "codec/cli/commands.h"
 #include "codec/cli/destination.h"
@@ -34,7 +34,7 @@ Exit attempt(const std::string& file, Work work) {
 /// Runs a command on every input: `work(Job&)`. One that fails does not keep the others from being
 /// done; the first failure decides the status.
 template <class Work>
-Exit for_each_input(const Options& options, const std::vector<Stage>& plan, Work work) {
+Exit for_each_input(const Options& options, std::span<const Stage> plan, Work work) {
   Exit all = Exit::done;
   const std::size_t count = options.inputs.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -51,23 +51,17 @@ Exit for_each_input(const Options& options, const std::vector<Stage>& plan, Work
   return all;
 }
 
-/// The same for commands that write a file for each: `work(Job&, const Destination&, check)`, where
-/// `check` gives back the name of an output, or why nothing can be written there.
+/// The same for commands that write a file for each: `work(const Options&, Job&, const
+/// Destination&)`.
 template <class Work>
-Exit for_each_output(const Options& options, const char* suffix, const std::vector<Stage>& plan,
+Exit for_each_output(const Options& options, const char* suffix, std::span<const Stage> plan,
                      Work work) {
-  const auto to = Destination::find(options.inputs, options.output, suffix);
+  const auto to = Destination::find(options, suffix);
   if (!to) {
     complain(to.error().line);
     return to.error().exit;
   }
-  const FileIds inputs = ids_of(options.inputs);
-  const auto check = [&](std::string output) -> Outcome<std::string> {
-    if (const auto ok = check_output(output, options.force, inputs); !ok)
-      return Failure{ok.error()};
-    return output;
-  };
-  return for_each_input(options, plan, [&](Job& job) { return work(job, *to, check); });
+  return for_each_input(options, plan, [&](Job& job) { return work(options, job, *to); });
 }
 
 }  // namespace clers::cli

@@ -13,6 +13,11 @@
 namespace clers::cli {
 namespace {
 
+constexpr Stage info_plan[] = {{"reading", 1}, {"measuring", 1}};
+constexpr Stage check_plan[] = {{"reading", 1}, {"reading", 1}, {"measuring", 1}};
+constexpr Stage verify_plan[] = {
+    {"reading", 1}, {"reading", 1}, {"reading", 1}, {"decoding", 1}, {"comparing", 1}};
+
 /// What a command found in its files, as it is printed: one file in detail, several as a line each
 /// below a heading, or JSON.
 class Reports {
@@ -82,37 +87,35 @@ Outcome<Done> compare_all(Job& job, const std::vector<Mesh>& expected,
 
 Exit info(const Options& options) {
   Reports reports(options, info_heading());
-  return reports.end(
-      for_each_input(options, {{"reading", 1}, {"measuring", 1}}, [&](Job& job) -> Outcome<Done> {
-        const Outcome<Bytes> bytes = job.read();
-        if (!bytes) return Failure{bytes.error()};
-        job.progress().next();
-        const auto found = inspect(*bytes);
-        if (!found) return job.not_accepted(found.error());
-        return reports.add(job, reports.json()        ? info_json(job.name(), *found)
-                                : reports.in_detail() ? info_text(job.name(), *found)
-                                                      : info_line(job.name(), *found));
-      }));
+  return reports.end(for_each_input(options, info_plan, [&](Job& job) -> Outcome<Done> {
+    const Outcome<Bytes> bytes = job.read();
+    if (!bytes) return Failure{bytes.error()};
+    job.progress().next();
+    const auto found = inspect(*bytes, options.decode.limits);
+    if (!found) return job.not_accepted(found.error());
+    return reports.add(job, reports.json()        ? info_json(job.name(), *found)
+                            : reports.in_detail() ? info_text(job.name(), *found)
+                                                  : info_line(job.name(), *found));
+  }));
 }
 
 Exit check(const Options& options) {
   Reports reports(options, check_heading());
-  return reports.end(for_each_input(
-      options, {{"reading", 1}, {"reading", 1}, {"measuring", 1}}, [&](Job& job) -> Outcome<Done> {
-        const Outcome<MeshFile> file = job.read_meshes();
-        if (!file) return Failure{file.error()};
-        job.note(job.name(), file->notes);
-        job.progress().next();
-        std::vector<Measured> measured;
-        for (const Mesh& mesh : file->meshes) {
-          const auto shape = measure(mesh);
-          if (!shape) return stop(job.name(), shape.error());
-          measured.push_back({mesh.name, *shape});
-        }
-        return reports.add(job, reports.json()        ? check_json(job.name(), measured)
-                                : reports.in_detail() ? check_text(job.name(), measured)
-                                                      : check_line(job.name(), measured));
-      }));
+  return reports.end(for_each_input(options, check_plan, [&](Job& job) -> Outcome<Done> {
+    const Outcome<MeshFile> file = job.read_meshes();
+    if (!file) return Failure{file.error()};
+    job.note(job.name(), file->notes);
+    job.progress().next();
+    std::vector<Measured> measured;
+    for (const Mesh& mesh : file->meshes) {
+      const auto shape = measure(mesh);
+      if (!shape) return stop(job.name(), shape.error());
+      measured.push_back({mesh.name, *shape});
+    }
+    return reports.add(job, reports.json()        ? check_json(job.name(), measured)
+                            : reports.in_detail() ? check_text(job.name(), measured)
+                                                  : check_line(job.name(), measured));
+  }));
 }
 
 Exit verify(const Options& options) {
@@ -120,8 +123,7 @@ Exit verify(const Options& options) {
   return attempt(file, [&]() -> Outcome<Exit> {
     if (original == "-" && file == "-")
       return stop(Exit::usage, "only one of the two files can be standard input");
-    Job job(options, file, input_name(file),
-            {{"reading", 1}, {"reading", 1}, {"reading", 1}, {"decoding", 1}, {"comparing", 1}});
+    Job job(options, file, input_name(file), verify_plan);
     const Outcome<MeshFile> expected = job.read_meshes(original);
     if (!expected) return Failure{expected.error()};
     const Outcome<Bytes> bytes = job.read();

@@ -8,6 +8,7 @@
 
 #include "codec/cli/printable.h"
 #include "codec/cli/report.h"
+#include "codec/cli/words.h"
 
 namespace clers::cli {
 
@@ -21,12 +22,9 @@ Outcome<io::Format> format_for(const std::string& path, std::optional<io::Format
   const std::size_t dot = path.rfind('.');
   if (dot != std::string::npos)
     if (const auto format = io::format_of(path.substr(dot))) return *format;
-  return stop(
-      Exit::usage,
-      path == "-"
-          ? fmt::format("-: has no name to tell its format; {} ply, obj, off or stl does", option)
-          : fmt::format("{}: its name does not tell its format; {} ply, obj, off or stl does", path,
-                        option));
+  return stop(Exit::usage,
+              fmt::format("{}: {} does not tell its format; {} ply, obj, off or stl does",
+                          input_name(path), path == "-" ? "no name" : "its name", option));
 }
 
 const char* extension(io::Format format) {
@@ -40,14 +38,10 @@ const char* extension(io::Format format) {
 }
 
 std::string losses(const io::Notes& notes) {
-  std::string out;
-  for (std::size_t i = 0; i < notes.lines.size(); ++i)
-    out += (i == 0 ? "" : i + 1 == notes.lines.size() ? " and " : ", ") + notes.lines[i];
-  return out;
-}
-
-std::optional<io::Format> format_encoded(const std::vector<Mesh>&) {
-  return std::nullopt;
+  std::vector<std::string> lost;
+  for (const io::Note& note : notes)
+    if (note.kind == io::Note::Kind::loss) lost.push_back(note.what);
+  return list(lost, "and");
 }
 
 Outcome<Bytes> Job::read(const std::string& path) {
@@ -58,7 +52,13 @@ Outcome<Bytes> Job::read(const std::string& path) {
 }
 
 Outcome<MeshFile> Job::read_meshes(const std::string& path) {
-  const Outcome<io::Format> format = format_for(path, options_.from, "--from");
+  std::error_code error;  // of a path that cannot be looked at, which reading it tells
+  if (std::filesystem::is_directory(path, error))
+    return stop(Exit::input, path + ": is a directory; name the files in it");
+  const auto format = format_for(path, options_.from, "--from");
+  if (!format && path != "-")
+    if (const auto kind = io::foreign_kind(path))
+      return stop(Exit::input, fmt::format("{}: this is {}", path, *kind));
   if (!format) return Failure{format.error()};
   const Outcome<Bytes> bytes = read(path);
   if (!bytes) return Failure{bytes.error()};
@@ -97,14 +97,14 @@ Failure<Stop> Job::not_accepted(const Error& error) const {
 }
 
 void Job::note(const std::string& file, const io::Notes& notes) {
-  note(file, notes.lines);
+  for (const io::Note& one : notes) note(file, one.text, one.kind == io::Note::Kind::loss);
 }
 
-void Job::note(const std::string& file, const std::vector<std::string>& lines) {
-  whole_ = whole_ && lines.empty();
-  if (options_.quiet || lines.empty()) return;
+void Job::note(const std::string& file, const std::string& text, bool is_loss) {
+  whole_ = whole_ && !is_loss;
+  if (options_.quiet) return;
   progress_.hide();
-  for (const std::string& line : lines) complain(fmt::format("{}: note: {}", file, line));
+  complain(fmt::format("{}: note: {}", file, text));
 }
 
 std::string Job::sizes_and_time(const std::string& output, std::size_t size) const {

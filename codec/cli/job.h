@@ -25,9 +25,6 @@ const char* extension(io::Format format);
 /// nothing.
 std::string losses(const io::Notes& notes);
 
-/// The format of the mesh file that was encoded, if the meshes say it.
-std::optional<io::Format> format_encoded(const std::vector<Mesh>& meshes);
-
 struct MeshFile {
   std::vector<Mesh> meshes;
   io::Notes notes;
@@ -37,10 +34,10 @@ struct MeshFile {
 class Job {
  public:
   /// `subject`: what the progress bar calls it.
-  Job(const Options& options, std::string input, std::string subject, std::vector<Stage> plan)
+  Job(const Options& options, std::string input, std::string subject, std::span<const Stage> plan)
       : options_(options),
         input_(std::move(input)),
-        progress_(std::move(subject), std::move(plan), !options.quiet) {}
+        progress_(std::move(subject), plan, !options.quiet) {}
 
   const std::string& input() const { return input_; }
   std::string name() const { return input_name(input_); }  ///< for messages
@@ -55,9 +52,9 @@ class Job {
   /// Why the input is not accepted as a .clers file.
   Failure<Stop> not_accepted(const Error& error) const;
 
-  /// Lines about what was not carried over.
+  /// Tells what was not carried over, or in another form.
   void note(const std::string& file, const io::Notes& notes);
-  void note(const std::string& file, const std::vector<std::string>& lines);
+  void note(const std::string& file, const std::string& text, bool is_loss);
 
   /// Writes the output and says how it went: sizes, unless `result` says more. Removes the input if
   /// that is asked for and nothing of it is lost.

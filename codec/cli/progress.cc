@@ -38,8 +38,8 @@ double seconds(std::chrono::steady_clock::duration d) {
 
 }  // namespace
 
-Progress::Progress(std::string subject, std::vector<Stage> plan, bool wanted)
-    : subject_(printable(subject)), plan_(std::move(plan)), start_(Clock::now()) {
+Progress::Progress(std::string subject, std::span<const Stage> plan, bool wanted)
+    : subject_(printable(subject)), plan_(plan), start_(Clock::now()) {
   if (wanted && draws_on_stderr()) drawer_ = std::thread([this] { draw_until_stopped(); });
 }
 

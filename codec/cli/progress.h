@@ -6,6 +6,7 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <span>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -26,7 +27,7 @@ struct Stage {
 /// moves by the time that the stage is expected to take, ever slower once that is used up.
 class Progress {
  public:
-  Progress(std::string subject, std::vector<Stage> plan, bool wanted);
+  Progress(std::string subject, std::span<const Stage> plan, bool wanted);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();
@@ -50,7 +51,7 @@ class Progress {
   void erase();
 
   std::string subject_;
-  std::vector<Stage> plan_;
+  std::span<const Stage> plan_;
   std::mutex mutex_;
   std::condition_variable stopped_;
   bool stop_ = false, hidden_ = true, drawn_ = false;

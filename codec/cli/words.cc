@@ -37,10 +37,12 @@ std::optional<std::string> closest(std::string_view typed, std::span<const std::
   return best;
 }
 
-std::string choices(std::span<const std::string> words) {
+std::string list(std::span<const std::string> words, const char* last) {
   std::string out;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    out += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) out += i + 1 == words.size() ? std::string(" ") + last + " " : ", ";
+    out += words[i];
+  }
   return out;
 }
 

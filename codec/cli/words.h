@@ -14,8 +14,8 @@ namespace clers::cli {
 /// their neighbour, if that is at most a third of it.
 std::optional<std::string> closest(std::string_view typed, std::span<const std::string> words);
 
-/// "a, b or c".
-std::string choices(std::span<const std::string> words);
+/// "a, b or c", with that word before the last; "" of none.
+std::string list(std::span<const std::string> words, const char* last);
 
 }  // namespace clers::cli
 

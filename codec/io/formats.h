@@ -35,8 +35,27 @@ const Attribute* find(const Mesh& mesh, std::string_view name, Domain domain);
 /// "vertex attribute 'name' (3 x float32)".
 std::string label(const Attribute& attribute);
 
-/// Notes that an attribute was left out, and why if there is more to say.
+/// A loss: "2 comments were left out", and why if there is more to say. None if there are none.
+void note_left_out(Notes& notes, std::uint64_t count, std::string_view one, std::string_view many,
+                   std::string_view why = {});
+
+/// Notes that an attribute was left out.
 void note_left_out(Notes& notes, const Attribute& attribute, std::string_view why = {});
+
+inline void note_line(Notes& notes, std::string line) {
+  notes.push_back({Note::Kind::loss, 1, line, line});
+}
+
+/// A remark: "3 polygons" "became 6 triangles".
+void note_remark(Notes& notes, std::uint64_t count, std::string what, std::string_view became);
+
+/// What metadata say, or nullptr.
+const std::string* metadata(const Mesh& mesh, std::string_view key);
+void set_metadata(Mesh& mesh, std::string_view key, std::string value);
+
+/// Keys of metadata. The values of all but the header are lines, without the last one's end.
+inline constexpr std::string_view source_key = "source.format";  ///< "ply ascii", "obj", ..
+inline constexpr std::string_view comment_key = "comment";       ///< what follows '#' or "comment"
 
 /// Notes if a text loses bits of NaNs of an attribute.
 void note_lost_nans(Notes& notes, const Attribute& attribute);

@@ -19,6 +19,21 @@ const char* name(Domain domain) {
   return domain_names[static_cast<unsigned>(domain)];
 }
 
+// What metadata call the formats of files.
+struct SourceName {
+  std::string_view name;
+  Source source;
+};
+constexpr SourceName source_names[] = {
+    {"ply ascii", {Format::ply, Encoding::text}},
+    {"ply binary_little_endian", {Format::ply, Encoding::binary}},
+    {"ply binary_big_endian", {Format::ply, Encoding::binary}},
+    {"obj", {Format::obj, Encoding::text}},
+    {"off", {Format::off, Encoding::text}},
+    {"stl ascii", {Format::stl, Encoding::text}},
+    {"stl binary", {Format::stl, Encoding::binary}},
+};
+
 // What every writer relies on.
 Expected<Done> check(const Mesh& mesh, std::size_t number) {
   const auto inconsistent = [&](std::string what) {
@@ -53,6 +68,16 @@ Expected<Done> check(const Mesh& mesh, std::size_t number) {
   return Done{};
 }
 
+Expected<ReadResult> read_as(std::span<const std::byte> bytes, Format format) {
+  switch (format) {
+    case Format::ply: return read_ply(as_text(bytes));
+    case Format::obj: return read_obj(as_text(bytes));
+    case Format::off: return read_off(as_text(bytes));
+    case Format::stl: return read_stl(as_text(bytes));
+  }
+  return fail(ErrorCode::unsupported, "expected a known format");
+}
+
 }  // namespace
 
 std::optional<Format> format_of(std::string_view name) {
@@ -67,13 +92,14 @@ std::optional<Format> format_of(std::string_view name) {
 }
 
 Expected<ReadResult> read(std::span<const std::byte> bytes, Format format) {
-  switch (format) {
-    case Format::ply: return read_ply(as_text(bytes));
-    case Format::obj: return read_obj(as_text(bytes));
-    case Format::off: return read_off(as_text(bytes));
-    case Format::stl: return read_stl(as_text(bytes));
-  }
-  return fail(ErrorCode::unsupported, "expected a known format");
+  Expected<ReadResult> result = read_as(bytes, format);
+  // Only now: the header of a binary STL may begin like anything.
+  if (!result)
+    if (const std::optional<std::string> kind = foreign_kind(bytes))
+      return fail(ErrorCode::unsupported, "this is " + *kind);
+  if (result && (format == Format::obj || format == Format::off))
+    set_metadata(result->meshes[0], source_key, format == Format::obj ? "obj" : "off");
+  return result;
 }
 
 Expected<WriteResult> write(std::span<const Mesh> meshes, Format format,
@@ -124,15 +150,48 @@ std::string label(const Attribute& attribute) {
 }
 
 void note_left_out(Notes& notes, const Attribute& attribute, std::string_view why) {
-  std::string line = label(attribute) + " was left out";
-  if (!why.empty()) line.append(": ").append(why);
-  notes.lines.push_back(std::move(line));
+  note_left_out(notes, 1, label(attribute), {}, why);
+}
+
+void note_left_out(Notes& notes, std::uint64_t count, std::string_view one, std::string_view many,
+                   std::string_view why) {
+  if (count == 0) return;
+  Note note{
+      Note::Kind::loss, count, many.empty() ? std::string(one) : counted(count, one, many), {}};
+  note.text = note.what + (count == 1 ? " was" : " were") + " left out";
+  if (!why.empty()) note.text.append(": ").append(why);
+  notes.push_back(std::move(note));
+}
+
+void note_remark(Notes& notes, std::uint64_t count, std::string what, std::string_view became) {
+  std::string text = what + ' ' + std::string(became);
+  notes.push_back({Note::Kind::remark, count, std::move(what), std::move(text)});
+}
+
+const std::string* metadata(const Mesh& mesh, std::string_view key) {
+  for (const MetadataEntry& entry : mesh.metadata)
+    if (entry.key == key) return &entry.value;
+  return nullptr;
+}
+
+void set_metadata(Mesh& mesh, std::string_view key, std::string value) {
+  mesh.metadata.push_back({std::string(key), std::move(value)});
+}
+
+std::optional<Source> source_of(const Mesh& mesh) {
+  const std::string* source = metadata(mesh, source_key);
+  if (!source) return std::nullopt;
+  for (const SourceName& s : source_names)
+    if (s.name == *source) return s.source;
+  return std::nullopt;
 }
 
 void note_lost_nans(Notes& notes, const Attribute& attribute) {
   if (const std::size_t lost = count_lost_nans(attribute))
-    notes.lines.push_back(label(attribute) + ": the bits of " + counted(lost, "NaN", "NaNs") +
-                          " cannot be written as text and read back as those of a plain NaN");
+    notes.push_back({Note::Kind::loss, lost,
+                     counted(lost, "bit pattern", "bit patterns") + " of NaNs",
+                     label(attribute) + ": the bits of " + counted(lost, "NaN", "NaNs") +
+                         " cannot be written as text and read back as those of a plain NaN"});
 }
 
 }  // namespace clers::io

@@ -3,6 +3,7 @@
 #define CLERS_CODEC_IO_IO_H
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,14 +32,35 @@ namespace clers::io {
 ///     stl  text and binary. Triangles, by positions alone, which are written as float32.
 enum class Format { ply, obj, off, stl };
 
+enum class Encoding { text, binary };
+
 /// From a file name's extension or a name given by the user ("ply", ".PLY"); none if unknown.
 std::optional<Format> format_of(std::string_view name);
 
-/// What reading or writing could not carry over, for people, one line each
-/// ("element 'camera' (1 entry) is not part of a mesh and was left out").
-struct Notes {
-  std::vector<std::string> lines;
+/// What a file is that is none of these, and what to do: "a gzip file: unpack it first, with
+/// gunzip"; none if it is not known. By its first bytes, as read() says it, or by its name.
+std::optional<std::string> foreign_kind(std::span<const std::byte> bytes);
+std::optional<std::string> foreign_kind(std::string_view name);
+
+/// What happened to one kind of thing in reading or writing.
+struct Note {
+  enum class Kind : std::uint8_t {
+    loss,    ///< the result does not have it
+    remark,  ///< the result has it in another form, or more than the file says
+  };
+  Kind kind = Kind::loss;
+  std::uint64_t count = 0;  ///< of the things
+  std::string what;         ///< "665 texture coordinates"
+  std::string text;  ///< "665 texture coordinates were left out: 139 of 7946 faces have none"
 };
+using Notes = std::vector<Note>;  ///< one for each kind of thing
+
+/// What a mesh was read from, if its metadata say so.
+struct Source {
+  Format format;
+  Encoding encoding;
+};
+std::optional<Source> source_of(const Mesh& mesh);
 
 struct ReadResult {
   std::vector<Mesh> meshes;
@@ -56,8 +78,6 @@ struct ReadResult {
 /// expected. Memory: at most a small multiple of the file's size. Cost: linear but for STL, whose
 /// corners are sorted.
 Expected<ReadResult> read(std::span<const std::byte> bytes, Format format);
-
-enum class Encoding { text, binary };
 
 struct WriteResult {
   std::vector<std::byte> bytes;

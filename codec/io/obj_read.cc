@@ -220,7 +220,7 @@ class Reader {
            " used by no face and left out");
   }
 
-  void note(std::string line) { notes_.lines.push_back(std::move(line)); }
+  void note(std::string line) { note_line(notes_, std::move(line)); }
 
   Text text_;
   std::array<Values, 3> values_{Values{"a vertex", "vertices"},
@@ -244,9 +244,9 @@ Expected<ReadResult> read_obj(std::string_view file) {
   const std::string_view text = file.substr(0, file.find_last_not_of('\0') + 1);
   Expected<ReadResult> result = Reader(text).read();
   if (const std::size_t zeros = file.size() - text.size(); zeros > 0 && result)
-    result->notes.lines.push_back(counted(zeros, "zero byte", "zero bytes") +
-                                  " at the end of the file " + (zeros == 1 ? "was" : "were") +
-                                  " left out");
+    note_line(result->notes, counted(zeros, "zero byte", "zero bytes") +
+                                 " at the end of the file " + (zeros == 1 ? "was" : "were") +
+                                 " left out");
   return result;
 }
 

@@ -76,9 +76,9 @@ class Writer {
 
   void note_kept(const Attribute& a) {
     note_lost_nans(notes_, a);
-    if (!is_float(a)) notes_.lines.push_back(label(a) + " reads back as floating point");
+    if (!is_float(a)) note_line(notes_, label(a) + " reads back as floating point");
     if (a.domain == Domain::vertex && a.name != position_name && a.name != "color")
-      notes_.lines.push_back(label(a) + " is written by corner");
+      note_line(notes_, label(a) + " is written by corner");
   }
 
   void values(const Attribute& a, std::size_t index) {
@@ -119,8 +119,8 @@ class Writer {
       out_ << '\n';
     }
     if (empty)
-      notes_.lines.push_back(
-          counted(empty, "face without corners was", "faces without corners were") + " left out");
+      note_line(notes_, counted(empty, "face without corners was", "faces without corners were") +
+                            " left out");
   }
 
   // A name must not begin a new statement.
@@ -144,8 +144,8 @@ Expected<Done> write_obj(std::span<const Mesh> meshes, Output& out, Notes& notes
     if (Expected<Done> done = writer.write(mesh, meshes.size() > 1 || !mesh.name.empty()); !done)
       return done;
   if (meshes.size() > 1)
-    notes.lines.push_back(std::to_string(meshes.size()) +
-                          " meshes became objects of one file, which reads back as one mesh");
+    note_line(notes, std::to_string(meshes.size()) +
+                         " meshes became objects of one file, which reads back as one mesh");
   return Done{};
 }
 

@@ -55,9 +55,8 @@ class Colors {
     const std::uint64_t colored = three_ + four_ + indexed_;
     if (colored == 0) return;
     if (none_ > 0 || std::max(three_, four_) != colored) {
-      notes.lines.push_back(
-          counted(colored, "colour was", "colours were") +
-          " left out: not all faces or vertices have one with as many components");
+      note_line(notes, counted(colored, "colour was", "colours were") +
+                           " left out: not all faces or vertices have one with as many components");
       return;
     }
     Attribute a = numbers_.take("color", domain, three_ ? 3 : 4);
@@ -260,9 +259,9 @@ Expected<Done> write_off(const Mesh& mesh, Output& out, Notes& notes) {
     }
     note_lost_nans(notes, a);
     if (&a == position && !is_float(a))
-      notes.lines.push_back(label(a) + " reads back as floating point");
+      note_line(notes, label(a) + " reads back as floating point");
   }
-  if (!mesh.name.empty()) notes.lines.push_back("the name " + quoted(mesh.name) + " was left out");
+  if (!mesh.name.empty()) note_line(notes, "the name " + quoted(mesh.name) + " was left out");
 
   out << (texcoord ? "ST" : "") << (color ? "C" : "") << (normal ? "N" : "") << "OFF\n";
   out.number(mesh.vertex_count);

@@ -1,6 +1,7 @@
 #include <bit>
 #include <cstring>
 
+#include "codec/io/formats.h"
 #include "codec/io/ply.h"
 #include "codec/io/text.h"
 
@@ -293,8 +294,8 @@ Expected<Done> Body::end(Notes& notes) const {
     text.skip(at_);
     if (!text.at_end()) return text.expected("the end of the file after the last element");
   } else if (!rest.empty()) {
-    notes.lines.push_back(counted(rest.size(), "byte", "bytes") + " after the last element " +
-                          (rest.size() == 1 ? "was" : "were") + " left out");
+    note_line(notes, counted(rest.size(), "byte", "bytes") + " after the last element " +
+                         (rest.size() == 1 ? "was" : "were") + " left out");
   }
   return Done{};
 }

@@ -288,7 +288,7 @@ class Reader {
     if (!indices.empty()) std::memcpy(indices.data(), column.values.data(), column.values.size());
   }
 
-  void note(std::string line) { notes_.lines.push_back(std::move(line)); }
+  void note(std::string line) { note_line(notes_, std::move(line)); }
 
   Header header_;
   Mesh mesh_;

@@ -42,8 +42,8 @@ Mesh welded_mesh(Attribute positions, Notes& notes) {
   for (std::size_t v = 0; v < welded.first.size(); ++v)
     std::memcpy(a.data.data() + v * a.stride(),
                 positions.data.data() + welded.first[v] * a.stride(), a.stride());
-  notes.lines.push_back(counted(welded.number.size(), "corner", "corners") + " became " +
-                        counted(mesh.vertex_count, "vertex", "vertices") + " by equal positions");
+  note_line(notes, counted(welded.number.size(), "corner", "corners") + " became " +
+                       counted(mesh.vertex_count, "vertex", "vertices") + " by equal positions");
   mesh.corners = welded.number;
   mesh.attributes.push_back(std::move(a));
   return mesh;
@@ -51,7 +51,7 @@ Mesh welded_mesh(Attribute positions, Notes& notes) {
 
 void note_normals(Notes& notes, std::uint64_t normals) {
   if (normals)
-    notes.lines.push_back(counted(normals, "facet normal was", "facet normals were") + " left out");
+    note_line(notes, counted(normals, "facet normal was", "facet normals were") + " left out");
 }
 
 // Too many corners to number, or not.
@@ -91,11 +91,11 @@ Expected<ReadResult> read_binary(std::string_view file) {
   result.meshes.push_back(welded_mesh(std::move(positions), result.notes));
   note_normals(result.notes, normals);
   if (other_bytes)
-    result.notes.lines.push_back("the attribute bytes of " +
-                                 counted(other_bytes, "triangle", "triangles") + " were left out");
+    note_line(result.notes, "the attribute bytes of " +
+                                counted(other_bytes, "triangle", "triangles") + " were left out");
   if (const std::size_t rest = file.size() - start_size - triangles * triangle_size)
-    result.notes.lines.push_back(counted(rest, "byte", "bytes") + " after the last triangle " +
-                                 (rest == 1 ? "was" : "were") + " left out");
+    note_line(result.notes, counted(rest, "byte", "bytes") + " after the last triangle " +
+                                (rest == 1 ? "was" : "were") + " left out");
   return result;
 }
 
@@ -115,7 +115,7 @@ class TextReader {
     if (solids_ == 1)
       result.meshes[0].name = std::move(name_);
     else
-      result.notes.lines.push_back(std::to_string(solids_) + " solids became one mesh");
+      note_line(result.notes, std::to_string(solids_) + " solids became one mesh");
     return result;
   }
 
@@ -223,15 +223,15 @@ Expected<Done> write_stl(const Mesh& mesh, Encoding encoding, Output& out, Notes
     narrow.data = position->data;
   }
   if (rounded)
-    notes.lines.push_back(counted(rounded, "coordinate was", "coordinates were") +
-                          " rounded to float32");
+    note_line(notes,
+              counted(rounded, "coordinate was", "coordinates were") + " rounded to float32");
   for (const Attribute& a : mesh.attributes)
     if (&a != position) note_left_out(notes, a);
   std::vector<bool> used(mesh.vertex_count);
   for (const std::uint32_t v : mesh.corners) used[v] = true;
   if (const auto unused = std::count(used.begin(), used.end(), false))
-    notes.lines.push_back(counted(static_cast<std::uint64_t>(unused), "vertex", "vertices") +
-                          " of no face " + (unused == 1 ? "was" : "were") + " left out");
+    note_line(notes, counted(static_cast<std::uint64_t>(unused), "vertex", "vertices") +
+                         " of no face " + (unused == 1 ? "was" : "were") + " left out");
 
   // Normals are derived from the corners, so that zeros, which the format allows, say as much.
   const std::size_t triangles = mesh.face_count();
@@ -256,7 +256,7 @@ Expected<Done> write_stl(const Mesh& mesh, Encoding encoding, Output& out, Notes
     out << "endsolid" << (name.empty() ? "" : " ") << name << '\n';
     return Done{};
   }
-  if (!mesh.name.empty()) notes.lines.push_back("the name " + quoted(mesh.name) + " was left out");
+  if (!mesh.name.empty()) note_line(notes, "the name " + quoted(mesh.name) + " was left out");
   for (std::size_t i = 0; i < header_size; ++i) out << '\0';
   out.little(static_cast<std::uint32_t>(triangles));
   for (std::size_t f = 0; f < triangles; ++f) {

@@ -81,8 +81,8 @@ inline WriteResult must_write(const Mesh& mesh, Format format,
 
 /// Whether some note holds this text.
 inline bool notes_say(const Notes& notes, std::string_view text) {
-  return std::any_of(notes.lines.begin(), notes.lines.end(),
-                     [&](const std::string& line) { return line.find(text) != std::string::npos; });
+  return std::any_of(notes.begin(), notes.end(),
+                     [&](const Note& note) { return note.text.find(text) != std::string::npos; });
 }
 
 /// Equal in all but the order in which attributes of vertices and others alternate.

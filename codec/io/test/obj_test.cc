@@ -53,7 +53,7 @@ TEST(Obj, NotesWhatIsLeftOut) {
         "1 normal was left out: 2 of 2 faces have none", "2 statements 'o'", "1 statement 'usemtl'",
         "1 statement 's'", "1 statement 'l'", "1 statement 'g'", "1 statement 'mtllib'"})
     EXPECT_TRUE(notes_say(result.notes, note)) << note;
-  EXPECT_EQ(result.notes.lines.size(), 9u);
+  EXPECT_EQ(result.notes.size(), 9u);
 
   const ReadResult unused = must_read("v 0 0 0\nvt 0\nvt 1\nvt 2\nf 1/2 1/2 1/2\n", Format::obj);
   EXPECT_TRUE(notes_say(unused.notes, "2 texture coordinates are used by no face"));

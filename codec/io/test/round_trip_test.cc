@@ -106,7 +106,7 @@ void ply_round_trip(Encoding encoding) {
   const ::testing::AssertionResult result =
       same(must_read(written.bytes, Format::ply).meshes[0], mesh);
   RC_ASSERT(result);
-  RC_ASSERT(written.notes.lines.empty());
+  RC_ASSERT(written.notes.empty());
 }
 
 RC_GTEST_PROP(RoundTrip, BinaryPlyKeepsEverything, ()) {
@@ -141,7 +141,7 @@ RC_GTEST_PROP(RoundTrip, ObjKeepsPositionsColoursAndCorners, ()) {
   if (*rc::gen::arbitrary<bool>() && !mesh.corners.empty())
     add(mesh, "normal", Domain::corner, random_float(), 3);
   const WriteResult written = must_write(mesh, Format::obj);
-  RC_ASSERT(written.notes.lines.empty());
+  RC_ASSERT(written.notes.empty());
   const Mesh read = must_read(written.bytes, Format::obj).meshes[0];
   narrow_as(mesh, read);
   RC_ASSERT(same(read, mesh));
@@ -160,7 +160,7 @@ RC_GTEST_PROP(RoundTrip, OffKeepsVerticesAndColours, ()) {
   if (*rc::gen::arbitrary<bool>() && mesh.face_count() > 0)
     add(mesh, "color", Domain::face, color(), *rc::gen::inRange(3u, 5u));
   const WriteResult written = must_write(mesh, Format::off);
-  RC_ASSERT(written.notes.lines.empty());
+  RC_ASSERT(written.notes.empty());
   const Mesh read = must_read(written.bytes, Format::off).meshes[0];
   narrow_as(mesh, read);
   RC_ASSERT(same(read, mesh));
@@ -237,7 +237,7 @@ TEST(Write, NotesNaNsThatTextCannotTell) {
   EXPECT_TRUE(notes_say(must_write(mesh, Format::obj).notes, "the bits of 1 NaN"));
   EXPECT_TRUE(notes_say(must_write(mesh, Format::off).notes, "the bits of 1 NaN"));
   EXPECT_TRUE(notes_say(must_write(mesh, Format::ply, Encoding::text).notes, "the bits of 1 NaN"));
-  EXPECT_TRUE(must_write(mesh, Format::ply).notes.lines.empty());
+  EXPECT_TRUE(must_write(mesh, Format::ply).notes.empty());
 }
 
 TEST(Format, ComesFromAName) {
