@@ -485,7 +485,9 @@ class CommandLine {
   std::optional<std::string> unknown_argument() const {
     const auto commands = app_.get_subcommands();
     if (const auto words = app_.remaining(); !words.empty())
-      return words[0].starts_with('-') ? unknown_option(app_, words[0]) : unknown_command(words[0]);
+      return words[0].starts_with('-')
+                 ? unknown_option(app_, words[0]) + "; options follow a command, such as encode"
+                 : unknown_command(words[0]);
     if (commands.empty()) return std::nullopt;
     const auto words = commands.front()->remaining();
     if (words.empty()) return std::nullopt;

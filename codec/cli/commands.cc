@@ -16,16 +16,18 @@ constexpr Stage subdivide_plan[] = {
 /// Writes meshes in a format and saves them, which are two stages.
 Outcome<Done> save_meshes(Job& job, const std::vector<Mesh>& meshes, io::Format format,
                           std::optional<io::Encoding> encoding, const std::string& output,
-                          const std::string& result = "") {
+                          const std::vector<std::string>& results = {}) {
   job.progress().next();
   const auto written = io::write(meshes, format, encoding);
   if (!written) return stop(job.name(), written.error());
   job.note(output_name(output), written->notes);
-  return job.save(output, written->bytes, result);
+  return job.save(output, written->bytes, results);
 }
 
-std::optional<io::Encoding> text_if_asked(const Options& options) {
-  return options.text ? std::optional(io::Encoding::text) : std::nullopt;
+/// Binary where a format has it, unless text is asked for.
+io::Encoding encoding_of(io::Format format, const Options& options) {
+  const bool has_binary = format == io::Format::ply || format == io::Format::stl;
+  return has_binary && !options.text ? io::Encoding::binary : io::Encoding::text;
 }
 
 /// What meshes were read from before they were encoded; what holds them, if that is not known.
@@ -50,7 +52,8 @@ const char* suffix_if_known(const Options& options) {
 }
 
 Outcome<Done> encode_one(const Options& options, Job& job, const Destination& to) {
-  const Outcome<std::string> output = to.of(job.input(), clers_suffix);
+  if (const auto format = job.mesh_format(); !format) return Failure{format.error()};
+  const Outcome<std::string> output = to.of(job.input(), clers_suffix, io::Encoding::binary);
   if (!output) return Failure{output.error()};
   const Outcome<MeshFile> file = job.read_meshes();
   if (!file) return Failure{file.error()};
@@ -73,46 +76,44 @@ Outcome<Done> decode_one(const Options& options, Job& job, const Destination& to
   if (!format) return Failure{format.error()};
   Outcome<std::string> output = std::string();
   // Before the work if it is known by then.
-  if (*format) output = to.of(job.input(), extension(**format));
+  if (*format) output = to.of(job.input(), extension(**format), encoding_of(**format, options));
   if (!output) return Failure{output.error()};
   const Outcome<Bytes> bytes = job.read();
   if (!bytes) return Failure{bytes.error()};
   const Outcome<std::vector<Mesh>> meshes = job.decode(*bytes);
   if (!meshes) return Failure{meshes.error()};
-  auto encoding = text_if_asked(options);
-  if (!*format) {
-    const io::Source source = source_of(*meshes);
-    *format = source.format;
-    if (!encoding) encoding = source.encoding;
-    output = to.of(job.input(), extension(source.format));
-    if (!output) return Failure{output.error()};
-  }
-  return save_meshes(job, *meshes, **format, encoding, *output);
+  if (*format) return save_meshes(job, *meshes, **format, encoding_of(**format, options), *output);
+  const io::Source source = source_of(*meshes);
+  const io::Encoding encoding = options.text ? io::Encoding::text : source.encoding;
+  output = to.of(job.input(), extension(source.format), encoding);
+  if (!output) return Failure{output.error()};
+  return save_meshes(job, *meshes, source.format, encoding, *output);
 }
 
 Outcome<Done> subdivide_one(const Options& options, Job& job, const Destination& to) {
+  const auto from = job.mesh_format();
+  if (!from) return Failure{from.error()};
   const auto named = format_of_output(options, to.given(job.input()));
   if (!named) return Failure{named.error()};
-  const auto format = format_for(job.input(), *named ? *named : options.from, "--from");
-  if (!format) return Failure{format.error()};
-  const Outcome<std::string> output = to.of(job.input(), extension(*format));
+  const io::Format format = named->value_or(*from);
+  const io::Encoding encoding = encoding_of(format, options);
+  const Outcome<std::string> output = to.of(job.input(), extension(format), encoding);
   if (!output) return Failure{output.error()};
   Outcome<MeshFile> file = job.read_meshes();
   if (!file) return Failure{file.error()};
   job.note(job.name(), file->notes);
   job.progress().next();
-  std::string result;
+  std::vector<std::string> results;
   for (Mesh& mesh : file->meshes) {
     auto done =
         subdivide(mesh, options.subdivision, [&](double share) { job.progress().show(share); });
     if (!done) return stop(job.name(), done.error());
     for (const std::string& note : done->notes) job.note(job.name(), note, true);
-    result += (result.empty() ? "" : "\n") + fmt::format("{}: {}",
-                                                         mesh.name.empty() ? job.name() : mesh.name,
-                                                         describe(options.subdivision, *done));
+    results.push_back(fmt::format("{}: {}", mesh.name.empty() ? job.name() : mesh.name,
+                                  describe(options.subdivision, *done)));
     mesh = std::move(done->mesh);
   }
-  return save_meshes(job, file->meshes, *format, text_if_asked(options), *output, result);
+  return save_meshes(job, file->meshes, format, encoding, *output, results);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "codec/cli/destination.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <map>
@@ -38,8 +39,11 @@ Outcome<Destination> Destination::find(const Options& options, const char* suffi
   return to;
 }
 
-Outcome<std::string> Destination::of(const std::string& input, const char* suffix) const {
+Outcome<std::string> Destination::of(const std::string& input, const char* suffix,
+                                     io::Encoding encoding) const {
   std::string output = path(input, suffix);
+  if (output == "-" && encoding == io::Encoding::binary && !force_ && ::isatty(STDOUT_FILENO))
+    return stop(Exit::usage, "standard output: is a terminal; redirect it, or -f writes to it");
   if (const auto ok = check_output(output, force_, inputs_); !ok) return Failure{ok.error()};
   return output;
 }

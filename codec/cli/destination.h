@@ -20,8 +20,9 @@ class Destination {
   static Outcome<Destination> find(const Options& options, const char* suffix);
 
   /// The output of an input: a name that is made has this suffix, such as ".ply". Fails if nothing
-  /// can or may be written there.
-  Outcome<std::string> of(const std::string& input, const char* suffix) const;
+  /// such can or may be written there.
+  Outcome<std::string> of(const std::string& input, const char* suffix,
+                          io::Encoding encoding) const;
 
   /// The name that was given for the output, or "-"; none if it is made from the input's.
   std::optional<std::string> given(const std::string& input) const;

@@ -218,11 +218,7 @@ Outcome<Done> remove_input(const std::string& path) {
 }
 
 Outcome<Done> check_output(const std::string& path, bool overwrite, const FileIds& inputs) {
-  if (path == "-") {
-    if (!overwrite && ::isatty(STDOUT_FILENO))
-      return stop(Exit::usage, "standard output: is a terminal; redirect it, or -f writes to it");
-    return Done{};
-  }
+  if (path == "-") return Done{};
   struct stat status = {};
   if (::stat(path.c_str(), &status) == 0) {
     if (S_ISDIR(status.st_mode)) return failed(Exit::output, path, EISDIR);

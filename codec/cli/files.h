@@ -34,7 +34,7 @@ FileIds ids_of(std::span<const std::string> paths);
 Outcome<Done> remove_input(const std::string& path);
 
 /// What write_file would refuse before any work is done: an output that exists (without
-/// `overwrite`), one that is an input, a directory, a terminal.
+/// `overwrite`), one that is an input, a directory.
 Outcome<Done> check_output(const std::string& path, bool overwrite, const FileIds& inputs);
 
 /// Writes a file so that its name leads to the old content or to all of the new, whatever happens.

@@ -11,9 +11,16 @@
 #include "codec/cli/words.h"
 
 namespace clers::cli {
+namespace {
+
+void tell(const std::string& line) {
+  fmt::print(stderr, "{}\n", printable(line));
+}
+
+}  // namespace
 
 void complain(const std::string& line) {
-  fmt::print(stderr, "clers: {}\n", printable(line));
+  tell("clers: " + line);
 }
 
 Outcome<io::Format> format_for(const std::string& path, std::optional<io::Format> given,
@@ -23,8 +30,8 @@ Outcome<io::Format> format_for(const std::string& path, std::optional<io::Format
   if (dot != std::string::npos)
     if (const auto format = io::format_of(path.substr(dot))) return *format;
   return stop(Exit::usage,
-              fmt::format("{}: {} does not tell its format; {} ply, obj, off or stl does",
-                          input_name(path), path == "-" ? "no name" : "its name", option));
+              fmt::format("{}: {} tells no format; {} ply, obj, off or stl does", input_name(path),
+                          path == "-" ? "no name" : "its name", option));
 }
 
 const char* extension(io::Format format) {
@@ -51,7 +58,7 @@ Outcome<Bytes> Job::read(const std::string& path) {
   return bytes;
 }
 
-Outcome<MeshFile> Job::read_meshes(const std::string& path) {
+Outcome<io::Format> Job::mesh_format(const std::string& path) const {
   std::error_code error;  // of a path that cannot be looked at, which reading it tells
   if (std::filesystem::is_directory(path, error))
     return stop(Exit::input, path + ": is a directory; name the files in it");
@@ -59,6 +66,11 @@ Outcome<MeshFile> Job::read_meshes(const std::string& path) {
   if (!format && path != "-")
     if (const auto kind = io::foreign_kind(path))
       return stop(Exit::input, fmt::format("{}: this is {}", path, *kind));
+  return format;
+}
+
+Outcome<MeshFile> Job::read_meshes(const std::string& path) {
+  const auto format = mesh_format(path);
   if (!format) return Failure{format.error()};
   const Outcome<Bytes> bytes = read(path);
   if (!bytes) return Failure{bytes.error()};
@@ -80,7 +92,8 @@ Outcome<std::vector<Mesh>> Job::decode(std::span<const std::byte> bytes) {
   Expected<Piece> piece = clers::decode_piece(bytes, *options_.piece, how);
   if (!piece)
     return piece.error().code == ErrorCode::bad_option
-               ? stop(Exit::usage, name() + ": " + piece.error().what)
+               ? stop(Exit::usage,
+                      fmt::format("{}: {}, counted from 0", name(), piece.error().what))
                : not_accepted(piece.error());
   std::vector<Mesh> one;
   one.push_back(std::move(piece->mesh));
@@ -118,14 +131,15 @@ std::string Job::sizes_and_time(const std::string& output, std::size_t size) con
 }
 
 Outcome<Done> Job::save(const std::string& output, std::span<const std::byte> bytes,
-                        const std::string& result) {
+                        const std::vector<std::string>& results) {
   progress_.next();
   if (auto written = write_file(output, bytes, options_.force); !written) return written;
   progress_.hide();
   const bool in_a_pipe = input_ == "-" && output == "-";
-  if (!options_.quiet && !in_a_pipe)
-    fmt::print(stderr, "{}\n",
-               printable(result.empty() ? sizes_and_time(output, bytes.size()) : result));
+  if (!options_.quiet && !in_a_pipe) {
+    if (results.empty()) tell(sizes_and_time(output, bytes.size()));
+    for (const std::string& result : results) tell(result);
+  }
   if (!options_.remove_inputs || input_ == "-" || output == "-") return Done{};
   if (whole_) return remove_input(input_);
   if (!options_.quiet) complain(name() + ": note: is kept, since not all of it is in " + output);

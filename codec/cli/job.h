@@ -44,6 +44,8 @@ class Job {
   Progress& progress() { return progress_; }
 
   Outcome<Bytes> read() { return read(input_); }
+  /// The format of the input, a mesh file; or what it is instead, by its name.
+  Outcome<io::Format> mesh_format() const { return mesh_format(input_); }
   /// Reads and parses a mesh file, `read` and parsed being a stage each.
   Outcome<MeshFile> read_meshes() { return read_meshes(input_); }
   Outcome<MeshFile> read_meshes(const std::string& path);
@@ -56,14 +58,15 @@ class Job {
   void note(const std::string& file, const io::Notes& notes);
   void note(const std::string& file, const std::string& text, bool is_loss);
 
-  /// Writes the output and says how it went: sizes, unless `result` says more. Removes the input if
+  /// Writes the output and says how it went: sizes, unless `results` say more. Removes the input if
   /// that is asked for and nothing of it is lost.
   Outcome<Done> save(const std::string& output, std::span<const std::byte> bytes,
-                     const std::string& result = "");
+                     const std::vector<std::string>& results = {});
 
  private:
   using Clock = std::chrono::steady_clock;
 
+  Outcome<io::Format> mesh_format(const std::string& path) const;
   Outcome<Bytes> read(const std::string& path);
   std::string sizes_and_time(const std::string& output, std::size_t size) const;
 
