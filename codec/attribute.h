@@ -20,8 +20,7 @@ enum class Predictor : std::uint8_t {
 };
 
 /// Encodes values that are already in the order of the coded mesh. `corners` is the coded index
-/// buffer. The bytes name and describe the attribute. Throws std::bad_alloc; zstd failing is
-/// internal.
+/// buffer. The bytes name and describe the attribute. Throws std::bad_alloc only.
 Expected<Bytes> encode_attribute(const Attribute& attribute, std::span<const std::uint32_t> corners,
                                  int level);
 
@@ -33,10 +32,17 @@ struct AttributeHeader {
 };
 Expected<AttributeHeader> read_attribute_header(std::span<const std::byte> bytes, std::uint64_t at);
 
-/// Decodes `count` values; the caller has checked the size they take against its limits.
+/// Whether what follows the header is one zstd frame that can hold `count` values, as far as it can
+/// be told without unpacking it. Errors: invalid.
+Expected<Done> check_values(std::span<const std::byte> bytes, std::uint64_t at,
+                            const AttributeHeader& header, std::uint64_t count);
+
+/// Decodes `count` values. Memory: `count` times the stride for them, and `decoding_memory`
+/// besides. Precondition: check_values. Errors: invalid. Throws std::bad_alloc only.
 Expected<Attribute> decode_attribute(std::span<const std::byte> bytes, std::uint64_t at,
                                      AttributeHeader header, std::uint64_t count,
                                      std::span<const std::uint32_t> corners);
+std::uint64_t decoding_memory(const AttributeHeader& header, std::uint64_t count);
 
 }  // namespace clers
 

@@ -1,9 +1,7 @@
-#include <zstd.h>
-
-#include <new>
 #include <string>
 
 #include "codec/attribute_format.h"
+#include "codec/utf8.h"
 
 namespace clers {
 namespace {
@@ -11,11 +9,27 @@ namespace {
 /// A block of zstd makes 128 KiB of 4 bytes at best.
 constexpr std::uint64_t max_expansion = 32768;
 
+/// Words in bytes.
+template <class U>
+class Words {
+ public:
+  explicit Words(std::span<std::byte> bytes) : bytes_(bytes.data()) {}
+  U operator[](std::size_t i) const {
+    U word;
+    std::memcpy(&word, bytes_ + i * sizeof(U), sizeof(U));
+    return word;
+  }
+  void set(std::size_t i, U word) { std::memcpy(bytes_ + i * sizeof(U), &word, sizeof(U)); }
+
+ private:
+  std::byte* bytes_;
+};
+
 template <class U>
 void restore(std::span<const std::byte> planes, const AttributeHeader& header, std::size_t count,
              std::span<const std::uint32_t> corners, std::span<std::byte> out) {
   const std::size_t components = header.attribute.components;
-  std::vector<U> keys(count * components);
+  Words<U> keys(out);
   std::size_t row = 0;
   for_each_value(header.predictor, count, corners, [&](std::size_t v, Guess g) {
     for (std::size_t c = 0; c < components; ++c) {
@@ -29,13 +43,12 @@ void restore(std::span<const std::byte> planes, const AttributeHeader& header, s
                                        keys[g.c * components + c]);
         stored = static_cast<U>(guess + unzigzag(stored));
       }
-      keys[v * components + c] = stored;
+      keys.set(v * components + c, stored);
     }
     ++row;
   });
   if (is_float(header.attribute.scalar))
-    for (U& k : keys) k = from_ordered(k);
-  if (!keys.empty()) std::memcpy(out.data(), keys.data(), out.size());
+    for (std::size_t i = 0; i < count * components; ++i) keys.set(i, from_ordered(keys[i]));
 }
 
 }  // namespace
@@ -59,12 +72,41 @@ Expected<AttributeHeader> read_attribute_header(std::span<const std::byte> bytes
        domain != static_cast<std::uint32_t>(Domain::vertex)))
     return invalid("predictor", predictor);
   header.attribute.name.assign(reinterpret_cast<const char*>(name.data()), name.size());
+  if (const std::size_t i = first_not_utf8(header.attribute.name); i < name.size())
+    return fail(ErrorCode::invalid, Place::byte, at + 1 + i, "the name is not UTF-8 from here");
   header.attribute.domain = static_cast<Domain>(domain);
   header.attribute.scalar = static_cast<Scalar>(scalar);
   header.attribute.components = static_cast<std::uint8_t>(components);
   header.predictor = static_cast<Predictor>(predictor);
   header.bytes = in.position();
   return header;
+}
+
+Expected<Done> check_values(std::span<const std::byte> bytes, std::uint64_t at,
+                            const AttributeHeader& header, std::uint64_t count) {
+  const std::span<const std::byte> packed = bytes.subspan(header.bytes);
+  const auto invalid = [&](std::size_t where, std::string what) {
+    return fail(ErrorCode::invalid, Place::byte, at + header.bytes + where, std::move(what));
+  };
+  const std::uint64_t size = count * header.attribute.stride();
+  if (size > max_expansion * packed.size())
+    return invalid(0, std::to_string(size) + " bytes of values cannot come from " +
+                          std::to_string(packed.size()));
+  // Not one that is to be skipped, nor one of zstd's old formats.
+  std::uint32_t magic = 0;
+  for (std::size_t i = 0; i < 4 && i < packed.size(); ++i)
+    magic |= std::to_integer<std::uint32_t>(packed[i]) << 8 * i;
+  if (magic != ZSTD_MAGICNUMBER) return invalid(0, "no zstd frame, which values must be");
+  const std::size_t frame = ZSTD_findFrameCompressedSize(packed.data(), packed.size());
+  if (ZSTD_isError(frame)) return invalid(0, std::string("zstd: ") + ZSTD_getErrorName(frame));
+  if (frame != packed.size())
+    return invalid(
+        frame, std::to_string(packed.size() - frame) + " bytes after the zstd frame of the values");
+  return Done{};
+}
+
+std::uint64_t decoding_memory(const AttributeHeader& header, std::uint64_t count) {
+  return count * header.attribute.stride() + count / 8 + 8;
 }
 
 Expected<Attribute> decode_attribute(std::span<const std::byte> bytes, std::uint64_t at,
@@ -75,12 +117,9 @@ Expected<Attribute> decode_attribute(std::span<const std::byte> bytes, std::uint
     return fail(ErrorCode::invalid, Place::byte, at + header.bytes, std::move(what));
   };
   const std::uint64_t size = count * header.attribute.stride();
-  if (size > max_expansion * packed.size())
-    return invalid(std::to_string(size) + " bytes of values cannot come from " +
-                   std::to_string(packed.size()));
   Bytes planes(static_cast<std::size_t>(size));
   const std::size_t got =
-      ZSTD_decompress(planes.data(), planes.size(), packed.data(), packed.size());
+      zstd_result(ZSTD_decompress(planes.data(), planes.size(), packed.data(), packed.size()));
   if (ZSTD_isError(got)) return invalid(std::string("zstd: ") + ZSTD_getErrorName(got));
   if (got != size)
     return invalid("the values take " + std::to_string(got) + " bytes, expected " +

@@ -1,7 +1,4 @@
-#include <zstd.h>
-
 #include <array>
-#include <new>
 
 #include "codec/attribute_format.h"
 
@@ -46,7 +43,8 @@ Bytes differences(const Attribute& attribute, Predictor predictor, std::size_t c
 
 Expected<Bytes> compress(std::span<const std::byte> data, int level) {
   Bytes out(ZSTD_compressBound(data.size()));
-  const std::size_t size = ZSTD_compress(out.data(), out.size(), data.data(), data.size(), level);
+  const std::size_t size =
+      zstd_result(ZSTD_compress(out.data(), out.size(), data.data(), data.size(), level));
   if (ZSTD_isError(size))
     return fail(ErrorCode::internal, std::string("zstd failed: ") + ZSTD_getErrorName(size));
   out.resize(size);

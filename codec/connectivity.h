@@ -71,9 +71,12 @@ constexpr std::uint64_t room_for_merges(std::uint32_t code) {
 Expected<ConnectivityHeader> read_connectivity_header(std::span<const std::byte> bytes,
                                                       std::uint64_t at);
 
+/// Bytes that decoding takes at most, without the memory of the caller.
+std::uint64_t connectivity_memory(const ConnectivityHeader& header, bool twins);
+
 /// Decodes into memory of the caller: `corners` takes 3 indices a face, each below header.vertices.
 /// `twins`, when not empty, takes the opposite half-edge of each, null on a boundary.
-/// Errors: invalid, truncated, out_of_memory, limit.
+/// Errors: invalid, truncated, limit. Throws std::bad_alloc only.
 Expected<ConnectivityCounts> decode_connectivity(std::span<const std::byte> bytes, std::uint64_t at,
                                                  const ConnectivityHeader& header,
                                                  std::span<std::uint32_t> corners,

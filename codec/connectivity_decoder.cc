@@ -19,6 +19,7 @@ const char* explain(Broken broken) {
   switch (broken) {
     case Broken::none: break;
     case Broken::too_many_vertices: return "more vertices than declared";
+    case Broken::too_many_merges: return "more S than declared";
     case Broken::c_on_two_edges: return "C where the boundary curve has two edges";
     case Broken::s_without_gate: return "S without a part to join";
     case Broken::curve_too_short: return "a handle on a boundary curve that is too short for it";
@@ -70,6 +71,8 @@ Expected<ConnectivityCounts> decode(Source& source, std::uint64_t end,
   Building building;
   building.corners = corners;
   building.links = {links.get(), ids};
+  building.merges = header.merges;
+  building.merged.reserve(header.merges);
 
   Breakage breakage;
   if (!twins.empty()) {
@@ -145,10 +148,23 @@ Expected<ConnectivityHeader> read_connectivity_header(std::span<const std::byte>
   return header;
 }
 
+std::uint64_t connectivity_memory(const ConnectivityHeader& header, bool twins) {
+  if (header.faces == 0) return 0;
+  const std::uint64_t ids = std::uint64_t(header.vertices) + header.merges;
+  // Each S takes back a gate, or adds to the curves that wait or to the holes. Those lists grow by
+  // doubling: three times their length while they move.
+  constexpr std::uint64_t lists = 3 * (sizeof(Front<Opposites>::Gate) + sizeof(std::uint32_t));
+  const std::uint64_t model = header.model.kind == LetterModel::Kind::mixing
+                                  ? MixingModel::memory(header.faces, ids)
+                                  : ContextTables::most_memory;
+  return ids * (sizeof(FrontLink) + (twins ? sizeof(HalfEdge) : 0)) +
+         header.merges * (sizeof(std::uint32_t) + lists) + model;
+}
+
 Expected<ConnectivityCounts> decode_connectivity(std::span<const std::byte> bytes, std::uint64_t at,
                                                  const ConnectivityHeader& header,
                                                  std::span<std::uint32_t> corners,
-                                                 std::span<HalfEdge> twins) try {
+                                                 std::span<HalfEdge> twins) {
   if (header.faces == 0) {
     if (bytes.size() != header.bytes)
       return fail(ErrorCode::invalid, Place::byte, at + header.bytes,
@@ -158,8 +174,6 @@ Expected<ConnectivityCounts> decode_connectivity(std::span<const std::byte> byte
   return with_stream_source(header, bytes, [&](auto& source) {
     return decode(source, at + bytes.size(), header, corners, twins);
   });
-} catch (const std::bad_alloc&) {
-  return fail(ErrorCode::out_of_memory, "not enough memory for the connectivity");
 }
 
 }  // namespace clers

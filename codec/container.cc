@@ -56,6 +56,9 @@ Expected<Done> ContainerReader::open() {
                     std::to_string(format_minor));
   level_ = static_cast<int>(in_.u8());
   if (!in_.ok()) return Failure{in_.error()};
+  if (level_ < 1 || level_ > 9)
+    return fail(ErrorCode::invalid, Place::byte, header_size - 1,
+                "made with level " + std::to_string(level_) + ", expected 1 to 9");
   minor_ = version & 15;
   check_ = checksum(bytes_.first(header_size), 0);
   return Done{};

@@ -49,7 +49,7 @@ class ContainerReader {
  public:
   explicit ContainerReader(std::span<const std::byte> bytes) : bytes_(bytes), in_(bytes, 0) {}
 
-  /// Checks the header. Errors: not_clers, unsupported_version, truncated.
+  /// Checks the header. Errors: not_clers, unsupported_version, truncated, invalid.
   Expected<Done> open();
   int level() const { return level_; }
   std::uint32_t minor() const { return minor_; }

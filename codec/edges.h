@@ -12,9 +12,13 @@
 
 namespace clers {
 
+/// Bytes that for_each_edge takes.
+constexpr std::uint64_t edges_memory(std::uint64_t corners, std::uint64_t vertices) {
+  return 2 * sizeof(std::uint32_t) * corners + sizeof(std::uint32_t) * (vertices + 1);
+}
+
 /// Calls visit with all half-edges of an edge, in file order, for every edge, by its smaller and
-/// then its larger vertex. Cost: linear (two passes of counting sort); 12 bytes a corner and 4 a
-/// vertex.
+/// then its larger vertex. Cost: linear (two passes of counting sort).
 template <class Visit>
 void for_each_edge(const Faces& faces, std::uint32_t vertex_count, Visit visit) {
   const std::uint32_t n = static_cast<std::uint32_t>(faces.org.size());

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <memory>
 #include <new>
+#include <stdexcept>
 #include <utility>
 
 #include "codec/container.h"
@@ -76,6 +77,10 @@ Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& opti
   if (options.level < min_level || options.level > max_level)
     return fail(ErrorCode::bad_option,
                 "level " + std::to_string(options.level) + ", expected 1 to 9");
+  if (options.order > Order::keep) return fail(ErrorCode::bad_option, "no such order");
+  for (const OnOddity on : {options.on_nonmanifold, options.on_degenerate, options.on_duplicate})
+    if (on > OnOddity::error)
+      return fail(ErrorCode::bad_option, "faces are neither to be kept nor to be an error");
   for (std::size_t i = 0; i < meshes.size(); ++i)
     if (auto ok = check(meshes[i], options); !ok) return in_mesh(ok.error(), i, meshes.size());
 
@@ -132,6 +137,8 @@ Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& opti
   if (options.progress) options.progress("done", 1.0);
   return result;
 } catch (const std::bad_alloc&) {
+  return fail(ErrorCode::out_of_memory, "not enough memory to encode");
+} catch (const std::length_error&) {  // more elements than can be addressed
   return fail(ErrorCode::out_of_memory, "not enough memory to encode");
 }
 

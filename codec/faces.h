@@ -27,6 +27,11 @@ class Faces {
     }
   }
 
+  /// Bytes that a view takes; `sizes`: has it any?
+  static constexpr std::uint64_t memory(std::uint64_t corners, std::uint64_t faces, bool sizes) {
+    return sizes ? sizeof(std::uint32_t) * (faces + 1 + corners) : 0;
+  }
+
   std::span<const std::uint32_t> org;  ///< vertex of each corner
 
   bool triangles() const { return begin_.empty(); }

@@ -42,6 +42,13 @@ class FileOrderCoder {
     });
   }
 
+  /// Bytes that coding takes at most, the faces and the order not counted.
+  static std::uint64_t memory(std::uint64_t corners, std::uint64_t faces, std::uint64_t vertices) {
+    constexpr std::uint64_t each = sizeof(std::uint32_t);
+    return each * corners + (faces + vertices) / 8 + 16 +
+           std::max(edges_memory(corners, vertices), each * vertices);
+  }
+
   /// A Coder that encodes is told the order; one that decodes fills it in. False: what was decoded
   /// is no order.
   template <class Coder>

@@ -44,6 +44,9 @@ class Neighbours {
         for (unsigned k = 1; k < 3; ++k)
           all_[begin_[corners[i + j] + 1]++] = corners[i + (j + k) % 3];
   }
+  static constexpr std::uint64_t memory(std::uint64_t corners, std::uint64_t vertices) {
+    return sizeof(std::size_t) * (vertices + 2) + 2 * sizeof(std::uint32_t) * corners;
+  }
   /// With repetitions. Vertices that no triangle has have none.
   std::span<const std::uint32_t> of(std::uint32_t v) const {
     if (v + std::size_t(2) >= begin_.size()) return {};

@@ -1,9 +1,12 @@
+#include "codec/measure.h"
+
 #include <algorithm>
-#include <new>
 #include <numeric>
 #include <string>
 
+#include "codec/check.h"
 #include "codec/duplicates.h"
+#include "codec/guarded.h"
 #include "codec/inspect.h"
 
 namespace clers {
@@ -46,7 +49,7 @@ class Measuring {
     // Sides 2f and 2f + 1 of face f: a component is one-sided when they meet.
     Sets fans(corners_), faces(faces_), sides_of_faces(2 * faces_);
     std::uint64_t edges = 0;
-    std::vector<std::uint32_t> boundary;
+    std::vector<bool> boundary(corners_);
     for_each_edge([&](std::span<const std::uint32_t> sides) {
       if (sides.size() == 2) {
         ++edges;
@@ -61,7 +64,7 @@ class Measuring {
       } else {
         shape_.nonmanifold_edges += sides.size() > 2;
         edges += sides.size();
-        boundary.insert(boundary.end(), sides.begin(), sides.end());
+        for (const std::uint32_t side : sides) boundary[side] = true;
       }
     });
 
@@ -88,7 +91,8 @@ class Measuring {
     // An open fan lies between two boundary edges, so boundary edges linked by fans are the curves.
     Sets curves(corners_);
     std::vector<bool> on_boundary(corners_);
-    for (const std::uint32_t c : boundary) {
+    for (std::uint32_t c = 0; c < corners_; ++c) {
+      if (!boundary[c]) continue;
       const std::uint32_t from = fans.find(c), to = fans.find(next_[c]);
       curves.unite(from, to);
       on_boundary[from] = on_boundary[to] = true;
@@ -110,6 +114,9 @@ class Measuring {
  private:
   /// Face and successor of every corner.
   Expected<Done> lay_out() {
+    for (const Attribute& a : mesh_.attributes)
+      if (const std::string defect = kind_defect(a); !defect.empty())
+        return fail(ErrorCode::inconsistent_mesh, "attribute \"" + a.name + "\" has " + defect);
     faces_ = mesh_.face_count();
     shape_.vertices = mesh_.vertex_count;
     shape_.faces = faces_;
@@ -190,10 +197,18 @@ class Measuring {
 
 }  // namespace
 
-Expected<MeshShape> measure(const Mesh& mesh) try {
-  return Measuring(mesh).run();
-} catch (const std::bad_alloc&) {
-  return fail(ErrorCode::out_of_memory, "not enough memory to measure");
+std::uint64_t measuring_memory(std::uint64_t corners, std::uint64_t faces, std::uint64_t vertices,
+                               bool sizes) {
+  constexpr std::uint64_t each = sizeof(std::uint32_t);
+  const std::uint64_t bits = (2 * corners + 2 * faces + 2 * vertices) / 8 + 64;
+  const std::uint64_t sorted = sizes ? 2 * each * corners : 0,  // of a face that was larger
+      duplicates = each * (corners + 2 * faces + 1) + 3 * 2 * each * faces,  // grown by doubling
+      surface = each * (corners + 3 * faces) + each * std::max(corners + 2 * vertices + 1, corners);
+  return 2 * each * corners + bits + sorted + std::max(duplicates, surface);
+}
+
+Expected<MeshShape> measure(const Mesh& mesh) {
+  return guarded("measure", [&] { return Measuring(mesh).run(); });
 }
 
 }  // namespace clers

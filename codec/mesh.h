@@ -36,7 +36,7 @@ constexpr std::size_t size_of(Scalar s) {
 /// Named values, one tuple of `components` scalars for each vertex, corner or face, in their order,
 /// packed, in native byte order. The vertex attribute named "position" is where the mesh lies.
 struct Attribute {
-  std::string name;
+  std::string name;  ///< UTF-8, at most 255 bytes
   Domain domain = Domain::vertex;
   Scalar scalar = Scalar::float32;
   std::uint8_t components = 1;  ///< at least 1
@@ -61,7 +61,7 @@ struct Mesh {
   std::vector<std::uint32_t> corners;     ///< each below vertex_count
   std::vector<std::uint32_t> face_sizes;  ///< corners of each face; empty: all faces are triangles
   std::vector<Attribute> attributes;
-  std::string name;  ///< of the object in its file; may be empty
+  std::string name;  ///< of the object in its file, UTF-8; may be empty
   std::vector<MetadataEntry> metadata;
 
   bool triangles_only() const { return face_sizes.empty(); }

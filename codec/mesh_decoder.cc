@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "codec/budget.h"
 #include "codec/file_order.h"
 #include "codec/loose_faces.h"
 #include "codec/parallel.h"
@@ -32,6 +33,7 @@ Expected<std::vector<TurnedRun>> decode_turned(const PieceSections& sections) {
   DecodeFrom coder(in);
   TurnedModel model;
   std::vector<TurnedRun> runs;
+  runs.reserve(static_cast<std::size_t>(sections.turned_runs));
   std::uint32_t end = 0;
   for (std::uint64_t i = 0; i < sections.turned_runs; ++i) {
     const TurnedRun run = model.code(coder, {}, end);
@@ -52,7 +54,7 @@ Expected<std::vector<std::uint32_t>> decode_sizes(const PieceSections& sections,
   DecodeFrom coder(in);
   SizeModel model;
   std::vector<std::uint32_t> sizes;
-  sizes.reserve(static_cast<std::size_t>(sections.surface_faces));
+  sizes.reserve(static_cast<std::size_t>(sections.faces));  // the loose ones follow
   std::size_t left = triangles.size() / 3;
   for (std::uint64_t i = 0; i < sections.surface_faces; ++i) {
     const std::uint32_t size = model.code(coder, 3);
@@ -114,7 +116,7 @@ Expected<Done> append_loose(const PieceSections& sections, std::span<const std::
 void drop_sizes_of_triangles(Mesh& mesh) {
   const auto is_triangle = [](std::uint32_t size) { return size == 3; };
   if (std::all_of(mesh.face_sizes.begin(), mesh.face_sizes.end(), is_triangle))
-    mesh.face_sizes.clear();
+    mesh.face_sizes = {};
 }
 
 Expected<Done> decode_plain(const PieceSections& sections, Mesh& mesh) {
@@ -208,7 +210,6 @@ Expected<DecodedFaces> decode_faces(const PieceSections& sections) {
   }
 
   mesh.corners.reserve(static_cast<std::size_t>(sections.corners));
-  mesh.face_sizes.reserve(static_cast<std::size_t>(sections.faces));
   if (sections.features & feature::polygons) {
     const std::uint32_t* t = triangles.data();
     for (const std::uint32_t size : sizes) {
@@ -219,6 +220,7 @@ Expected<DecodedFaces> decode_faces(const PieceSections& sections) {
     mesh.face_sizes = std::move(sizes);
   } else {
     mesh.corners = triangles;
+    mesh.face_sizes.reserve(static_cast<std::size_t>(sections.faces));
     mesh.face_sizes.assign(triangles.size() / 3, 3);
   }
   if (sections.features & feature::loose)
@@ -228,6 +230,26 @@ Expected<DecodedFaces> decode_faces(const PieceSections& sections) {
   result.all_on_surface = false;
   result.triangles = std::move(triangles);
   return result;
+}
+
+constexpr std::uint64_t each = sizeof(std::uint32_t);
+
+/// What vertices of no surface count, though no array has them before a user makes one.
+std::uint64_t isolated_memory(const PieceSections& s) {
+  return each * (s.vertices - s.surface_vertices);
+}
+
+std::uint64_t attribute_memory(const Attribute& what, std::uint64_t count) {
+  return sizeof(Attribute) + what.name.size() + count * what.stride();
+}
+
+std::uint64_t count_of(const MeshSections& mesh, Domain domain) {
+  switch (domain) {
+    case Domain::vertex: return mesh.vertices;
+    case Domain::corner: return mesh.corners;
+    case Domain::face: return mesh.faces;
+  }
+  return 0;
 }
 
 /// Vertices that no corner names follow those that one does.
@@ -252,8 +274,51 @@ void turn_back(std::span<std::uint32_t> corners, std::span<const std::uint32_t> 
 
 }  // namespace
 
-Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values,
-                                    unsigned threads) {
+PieceMemory memory_of(const PieceSections& s, Values values) {
+  // Tables of models and of zstd, which are as large for any piece.
+  constexpr std::uint64_t constant = 256 << 10;
+  const bool plain = s.features == feature::plain, copied = s.features & feature::copies,
+             unfolded = s.features & (feature::polygons | feature::loose);
+  const std::uint64_t sizes = s.may_have_sizes() ? each * s.faces : 0;
+  const std::uint64_t triangles = each * (plain ? 3 * s.corners : 3 * s.connectivity.faces);
+  const std::uint64_t runs = sizeof(TurnedRun) * s.turned_runs;
+
+  PieceMemory memory;
+  memory.result = each * s.corners + sizes + isolated_memory(s);
+  if (plain) {
+    memory.faces = memory.result + triangles;
+  } else {
+    const std::uint64_t copies = each * s.connectivity.vertices;
+    memory.faces =
+        triangles +
+        std::max(
+            {connectivity_memory(s.connectivity, false),
+             runs + sizes +
+                 (copied ? copies + std::max(Stitching::memory(s.connectivity.vertices), copies)
+                         : 0),
+             runs + (unfolded ? memory.result : 0) +
+                 (s.features & feature::loose
+                      ? Neighbours::memory(3 * s.connectivity.faces, s.surface_vertices)
+                      : 0)});
+  }
+  memory.values = memory.result + runs + (plain || unfolded ? triangles : 0);
+  if (values == Values::decode) {
+    std::uint64_t most = 0;
+    for (const PieceSections::AttributeSection& a : s.attributes) {
+      const std::uint64_t size = attribute_memory(a.header.attribute, a.count);
+      memory.result += size;
+      memory.values += size + sizeof(Expected<Attribute>) + sizeof(std::uint64_t);
+      most = std::max(most, decoding_memory(a.header, a.count));
+    }
+    memory.values += most;
+  }
+  memory.faces += constant;
+  memory.values += constant;
+  return memory;
+}
+
+Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values, unsigned threads,
+                                    std::uint64_t left) {
   auto decoded = decode_faces(sections);
   if (!decoded) return Failure{decoded.error()};
   DecodedPiece result{std::move(decoded->mesh), decoded->counts, 0};
@@ -262,10 +327,20 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
         decoded->all_on_surface ? result.mesh.corners : decoded->triangles;
     std::vector<Expected<Attribute>> attributes(
         sections.attributes.size(), fail(ErrorCode::internal, "an attribute is not decoded"));
-    for_each_item(attributes.size(), threads, [&](std::size_t i, unsigned) {
+    std::vector<std::uint64_t> memory;
+    memory.reserve(attributes.size());
+    for (const PieceSections::AttributeSection& a : sections.attributes)
+      memory.push_back(decoding_memory(a.header, a.count));
+    const std::uint64_t held =
+        memory_of(sections, values).values -
+        (memory.empty() ? 0 : *std::max_element(memory.begin(), memory.end()));
+    const unsigned workers =
+        workers_that_fit(std::move(memory), threads, left > held ? left - held : 0);
+    for_each_item(attributes.size(), workers, [&](std::size_t i, unsigned) {
       const PieceSections::AttributeSection& a = sections.attributes[i];
       attributes[i] = decode_attribute(a.bytes, a.at, a.header, a.count, triangles);
     });
+    result.mesh.attributes.reserve(attributes.size());
     for (auto& attribute : attributes) {
       if (!attribute) return Failure{attribute.error()};
       result.mesh.attributes.push_back(std::move(*attribute));
@@ -274,6 +349,10 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
   turn_back(result.mesh.corners, result.mesh.face_sizes, decoded->turned);
   for (const TurnedRun& run : decoded->turned) result.turned_faces += run.count;
   return result;
+}
+
+std::uint64_t numbering_memory(const PieceSections& s) {
+  return s.shared * (sizeof(SharedVertex) + each) + each * most_used_vertices(s);
 }
 
 Expected<Done> decode_triangles(const PieceSections& sections, std::span<std::uint32_t> corners,
@@ -333,17 +412,26 @@ Expected<std::vector<std::uint32_t>> number_piece(const PieceSections& sections,
   return numbers;
 }
 
+std::uint64_t room_memory(const MeshSections& sections, Values values) {
+  std::uint64_t memory =
+      each * (sections.corners + (sections.may_have_sizes() ? sections.faces : 0));
+  for (const PieceSections& piece : sections.pieces) memory += isolated_memory(piece);
+  if (values == Values::skip) return memory;
+  for (const PieceSections::AttributeSection& a : sections.pieces[0].attributes)
+    memory += attribute_memory(a.header.attribute, count_of(sections, a.header.attribute.domain));
+  return memory;
+}
+
 Mesh make_room(const MeshSections& sections, Values values) {
   Mesh mesh;
   mesh.vertex_count = static_cast<std::uint32_t>(sections.vertices);
   mesh.corners.resize(static_cast<std::size_t>(sections.corners));
   if (sections.may_have_sizes()) mesh.face_sizes.resize(static_cast<std::size_t>(sections.faces));
   if (values == Values::skip) return mesh;
+  mesh.attributes.reserve(sections.pieces[0].attributes.size());
   for (const PieceSections::AttributeSection& a : sections.pieces[0].attributes) {
     Attribute attribute = a.header.attribute;
-    const std::uint64_t count = attribute.domain == Domain::vertex ? sections.vertices
-                                : attribute.domain == Domain::face ? sections.faces
-                                                                   : sections.corners;
+    const std::uint64_t count = count_of(sections, attribute.domain);
     attribute.data.resize(static_cast<std::size_t>(count) * attribute.stride());
     mesh.attributes.push_back(std::move(attribute));
   }
@@ -384,10 +472,25 @@ Expected<Done> put_piece(const PieceSections& sections, const Mesh& piece, Mesh&
   return Done{};
 }
 
+std::uint64_t finishing_memory(const MeshSections& s, Values values) {
+  if (!s.has_order) return 0;
+  const std::uint64_t sizes = s.may_have_sizes() ? each * s.faces : 0,
+                      order = each * (2 * s.faces + s.vertices),
+                      faces = Faces::memory(s.corners, s.faces, s.may_have_sizes());
+  std::uint64_t most = 0;  // of the attributes, whose values are copied into their order
+  if (values == Values::decode)
+    for (const PieceSections::AttributeSection& a : s.pieces[0].attributes)
+      most = std::max(most,
+                      attribute_memory(a.header.attribute, count_of(s, a.header.attribute.domain)));
+  return faces + order +
+         std::max(faces + FileOrderCoder::memory(s.corners, s.faces, s.vertices),
+                  2 * each * s.corners + sizes + each * s.vertices + most);
+}
+
 Expected<Done> finish_mesh(const MeshSections& sections, Mesh& mesh) {
   mesh.name = sections.name;
   if (sections.pieces.size() > 1) drop_sizes_of_triangles(mesh);
-  if (sections.order.bytes.empty()) return Done{};
+  if (!sections.has_order) return Done{};
   FileOrder order;
   const Faces faces(mesh.corners, mesh.face_sizes);
   {
@@ -399,6 +502,8 @@ Expected<Done> finish_mesh(const MeshSections& sections, Mesh& mesh) {
   }
   std::vector<std::uint32_t> corners, sizes, source;  // source: the new corner of each old one
   corners.reserve(mesh.corners.size());
+  source.reserve(mesh.corners.size());
+  sizes.reserve(mesh.face_sizes.size());
   for (std::uint32_t j = 0; j < faces.count(); ++j) {
     const std::uint32_t f = order.faces[j], size = faces.size(f);
     for (std::uint32_t i = 0; i < size; ++i) {

@@ -2,6 +2,7 @@
 #ifndef CLERS_CODEC_MESH_DECODER_H
 #define CLERS_CODEC_MESH_DECODER_H
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,11 +24,29 @@ struct DecodedPiece {
 
 enum class Values : bool { skip, decode };
 
-/// Decodes a piece, all of it or only its faces. Threads are for its attributes.
-/// Precondition: `sections` comes from read_meshes. Errors: those of decode. Throws std::bad_alloc
-/// only.
+/// Bytes that decoding a piece takes, by what its headers say.
+struct PieceMemory {
+  std::uint64_t result = 0;  ///< the mesh that comes out
+  std::uint64_t faces = 0;   ///< at most while its faces are decoded, the result included
+  std::uint64_t values = 0;  ///< while its values are, by one thread; the result included
+  std::uint64_t peak() const { return std::max(faces, values); }
+};
+PieceMemory memory_of(const PieceSections& sections, Values values);
+
+/// Bytes that put_piece takes, and decode_seam.
+std::uint64_t numbering_memory(const PieceSections& sections);
+
+/// Bytes of the mesh that make_room makes.
+std::uint64_t room_memory(const MeshSections& sections, Values values);
+
+/// Bytes that finish_mesh takes besides the mesh.
+std::uint64_t finishing_memory(const MeshSections& sections, Values values);
+
+/// Decodes a piece, all of it or only its faces. Threads are for its attributes, as far as what
+/// they take fits into `memory`. Preconditions: `sections` comes from read_meshes; `memory` is at
+/// least memory_of(sections, values).peak(). Errors: those of decode. Throws std::bad_alloc only.
 Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values,
-                                    unsigned threads = 1);
+                                    unsigned threads = 1, std::uint64_t memory = 0);
 
 /// The same of a piece whose faces are all triangles of its surface (may_have_sizes() is false),
 /// without values, into memory for just its corners. `twins` as for decode_connectivity.

@@ -16,6 +16,7 @@
 #include "codec/parallel.h"
 #include "codec/plain_faces.h"
 #include "codec/surface_encoder.h"
+#include "codec/utf8.h"
 
 namespace clers {
 namespace {
@@ -71,7 +72,11 @@ Expected<Done> check_arrays(const Mesh& mesh) {
                 "has vertex " + std::to_string(mesh.corners[h]) + ", expected one below " +
                     std::to_string(mesh.vertex_count));
   }
+  if (!is_utf8(mesh.name))
+    return fail(ErrorCode::inconsistent_mesh, "the name of the mesh is not UTF-8");
   for (const Attribute& a : mesh.attributes) {
+    if (!is_utf8(a.name))
+      return fail(ErrorCode::inconsistent_mesh, "an attribute's name is not UTF-8");
     if (a.name.size() > 255)
       return fail(ErrorCode::inconsistent_mesh, "an attribute's name is longer than 255 bytes");
     if (const std::string defect = kind_defect(a); !defect.empty())

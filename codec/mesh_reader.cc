@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string_view>
+
+#include "codec/utf8.h"
 
 namespace clers {
 namespace {
@@ -132,6 +135,8 @@ Expected<PieceSections::AttributeSection> read_attribute(const Section& section,
     case Domain::corner: result.count = mesh.corners; break;
     case Domain::face: result.count = mesh.faces; break;
   }
+  if (auto ok = check_values(result.bytes, result.at, result.header, result.count); !ok)
+    return Failure{ok.error()};
   return result;
 }
 
@@ -163,11 +168,7 @@ bool same_attributes(const PieceSections& a, const PieceSections& b) {
 /// Takes the sections of a file one after the other.
 class MeshesReader {
  public:
-  explicit MeshesReader(const Limits& limits)
-      : limits_(limits),
-        // No more than can be addressed, so that sizes fit in std::size_t.
-        memory_(
-            std::min<std::uint64_t>(limits.memory.value_or(std::uint64_t(1) << 40), PTRDIFF_MAX)) {}
+  MeshesReader(const Limits& limits, Budget& budget) : limits_(limits), budget_(budget) {}
 
   Expected<Done> take(const Section& section) {
     const bool any_piece = !meshes.empty() && !meshes.back().pieces.empty();
@@ -187,16 +188,15 @@ class MeshesReader {
       case SectionKind::attribute: return add_attribute(section, piece);
       case SectionKind::name:
         if (pieces_to_come_ > 0) return invalid(section, "a name before the last piece");
-        meshes.back().name.assign(reinterpret_cast<const char*>(section.payload.data()),
-                                  section.payload.size());
-        return Done{};
+        return add_name(section, meshes.back());
       default: break;
     }
     MeshSections& mesh = meshes.back();  // an order
-    if (pieces_to_come_ > 0 || !mesh.order.bytes.empty() ||
+    if (pieces_to_come_ > 0 || mesh.has_order ||
         (mesh.pieces.size() == 1 && piece.features == feature::plain))
       return invalid(section, "an order where none can be");
     mesh.order = {section.payload, section.at};
+    mesh.has_order = true;
     return Done{};
   }
 
@@ -221,6 +221,7 @@ class MeshesReader {
     if (auto ok = finish_mesh(section); !ok) return ok;
     if (meshes.size() >= limits_.meshes)
       return over(section.at, Limited::meshes, "meshes or more", meshes.size() + 1, limits_.meshes);
+    if (auto ok = grow(meshes, budget_); !ok) return ok;
     meshes.emplace_back();
     return Done{};
   }
@@ -238,9 +239,7 @@ class MeshesReader {
     piece->first_vertex = mesh.vertices;
     piece->first_face = mesh.faces;
     piece->first_corner = mesh.corners;
-    const std::uint64_t size = 4 * (piece->corners + (piece->may_have_sizes() ? piece->faces : 0));
-    if (!spend(size))
-      return over(section.at, Limited::memory, "bytes for faces and more", size, memory_);
+    if (auto ok = grow(mesh.pieces, budget_); !ok) return ok;
     mesh.pieces.push_back(std::move(*piece));
     return Done{};
   }
@@ -276,7 +275,7 @@ class MeshesReader {
     const MeshSections& mesh = meshes.back();
     // A face takes a decision at least.
     if (const auto& order = mesh.order;
-        order.at > 0 && mesh.faces > max_decisions_per_byte * order.bytes.size())
+        mesh.has_order && mesh.faces > max_decisions_per_byte * order.bytes.size())
       return fail(ErrorCode::invalid, Place::byte, order.at,
                   "the order of " + std::to_string(mesh.faces) + " faces cannot be coded in " +
                       std::to_string(order.bytes.size()) + " bytes");
@@ -286,29 +285,36 @@ class MeshesReader {
   Expected<Done> add_attribute(const Section& section, PieceSections& piece) {
     auto attribute = read_attribute(section, piece);
     if (!attribute) return Failure{attribute.error()};
-    const std::uint64_t size = attribute->count * attribute->header.attribute.stride();
-    if (!spend(size))
-      return over(section.at, Limited::memory, "bytes for values and more", size, memory_);
+    if (auto ok = grow(piece.attributes, budget_); !ok) return ok;
+    if (auto ok = budget_.take(attribute->header.attribute.name.size()); !ok) return ok;
     piece.attributes.push_back(std::move(*attribute));
     return Done{};
   }
 
-  bool spend(std::uint64_t bytes) {
-    if (bytes > memory_) return false;
-    memory_ -= bytes;
-    return true;
+  Expected<Done> add_name(const Section& section, MeshSections& mesh) {
+    const std::string_view name(reinterpret_cast<const char*>(section.payload.data()),
+                                section.payload.size());
+    if (mesh.has_name) return invalid(section, "a second name of a mesh");
+    if (const std::size_t i = first_not_utf8(name); i < name.size())
+      return fail(ErrorCode::invalid, Place::byte, section.at + i,
+                  "the name is not UTF-8 from here");
+    if (auto ok = budget_.take(2 * name.size()); !ok) return ok;  // here, and in the result
+    mesh.name = name;
+    mesh.has_name = true;
+    return Done{};
   }
 
   const Limits& limits_;
-  std::uint64_t memory_;
+  Budget& budget_;
   std::uint64_t pieces_to_come_ = 0;  ///< of the latest mesh
 };
 
 }  // namespace
 
-Expected<std::vector<MeshSections>> read_meshes(ContainerReader& file, const Limits& limits) {
+Expected<std::vector<MeshSections>> read_meshes(ContainerReader& file, const Limits& limits,
+                                                Budget& budget) {
   if (auto ok = file.open(); !ok) return Failure{ok.error()};
-  MeshesReader reader(limits);
+  MeshesReader reader(limits, budget);
   for (bool more = true; more;) {
     auto section = file.next();
     if (!section) return Failure{section.error()};

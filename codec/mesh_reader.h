@@ -9,9 +9,10 @@
 #include <vector>
 
 #include "codec/attribute.h"
+#include "codec/budget.h"
 #include "codec/connectivity.h"
 #include "codec/container.h"
-#include "codec/decode.h"
+#include "codec/limits.h"
 #include "codec/mesh_features.h"
 
 namespace clers {
@@ -61,6 +62,7 @@ struct MeshSections {
   std::uint64_t vertices = 0, faces = 0, corners = 0;
   PieceSections::Stream order;
   std::string name;
+  bool has_order = false, has_name = false;
 
   bool may_have_sizes() const {
     return std::any_of(pieces.begin(), pieces.end(),
@@ -68,8 +70,10 @@ struct MeshSections {
   }
 };
 
-/// Everything that can be checked before a mesh is decoded, against the limits too.
-Expected<std::vector<MeshSections>> read_meshes(ContainerReader& file, const Limits& limits);
+/// Everything that can be checked before a mesh is decoded, against the limits too. What is
+/// returned is taken out of the budget; what decoding will need is not.
+Expected<std::vector<MeshSections>> read_meshes(ContainerReader& file, const Limits& limits,
+                                                Budget& budget);
 
 }  // namespace clers
 

@@ -81,7 +81,7 @@ struct MixingModel::Local {
 
 MixingModel::MixingModel(std::size_t faces, std::size_t ids)
     : around_(ids),
-      table_bits_(std::clamp(static_cast<unsigned>(std::bit_width(faces)) - 1u, 8u, 15u)),
+      table_bits_(table_bits(faces)),
       slots_(std::size_t(contexts) << table_bits_, Slot{unasked, unasked, unasked, unasked}),
       final_weights_(rows[0] * decisions * sets, 65536 / sets) {
   history_.reserve(faces + 1);

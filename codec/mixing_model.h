@@ -6,7 +6,9 @@
 #ifndef CLERS_CODEC_MIXING_MODEL_H
 #define CLERS_CODEC_MIXING_MODEL_H
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -22,9 +24,15 @@ namespace clers {
 
 class MixingModel {
  public:
-  /// For a surface of `faces` faces built from `ids` vertices. Throws std::bad_alloc only. Memory:
-  /// 41 bytes a vertex, a byte a face, and 1 to 12 MB.
+  /// For a surface of `faces` faces built from `ids` vertices. Throws std::bad_alloc only.
   MixingModel(std::size_t faces, std::size_t ids);
+  /// Bytes that takes at most: 41 a vertex, one a face, and 2 to 13 MB.
+  static std::uint64_t memory(std::uint64_t faces, std::uint64_t ids) {
+    return Neighbourhood::bytes_each * ids + faces +
+           (std::uint64_t(contexts * sizeof(Slot) + matches * sizeof(std::uint32_t))
+            << table_bits(faces)) +
+           (2 << 20);
+  }
   bool ok() const { return true; }
 
   /// Codes the next letter, or ignores the one it is given and decodes one. The front is as the
@@ -56,6 +64,10 @@ class MixingModel {
   static constexpr unsigned inputs = 56;  ///< those, two a match, a constant; a multiple of 8
   static constexpr unsigned sets = 5;     ///< of weights, each with rows for a context of its own
   static constexpr unsigned curves = 4;   ///< that refine the probability
+
+  static unsigned table_bits(std::uint64_t faces) {
+    return std::clamp(static_cast<unsigned>(std::bit_width(faces)) - 1u, 8u, 15u);
+  }
 
   /// Probability of yes in units of 2^-22, and below it 10 bits: how often it was asked.
   using Counter = std::uint32_t;

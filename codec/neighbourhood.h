@@ -45,6 +45,7 @@ class Neighbourhood {
   };
 
   explicit Neighbourhood(std::size_t ids) : at_(ids), degrees_(ids) {}
+  static constexpr std::size_t bytes_each = 41;  ///< of memory, for every id
 
   std::uint32_t next(std::uint32_t v) const { return at_[v].next; }
   const Fan& fan(std::uint32_t v) const { return at_[v].fan; }
@@ -92,6 +93,7 @@ class Neighbourhood {
     std::uint32_t next = 0;  ///< along the boundary
     Fan fan;
   };
+  static_assert(sizeof(Around) + 1 == bytes_each);
   std::vector<Around> at_;
   std::vector<std::uint8_t> degrees_;
 };

@@ -87,7 +87,10 @@ class PlainFaceModel {
 inline std::vector<std::uint32_t> fan_triangles(std::span<const std::uint32_t> corners,
                                                 std::span<const std::uint32_t> sizes) {
   if (sizes.empty()) return {corners.begin(), corners.end()};
+  std::size_t count = 0;
+  for (const std::uint32_t size : sizes) count += size < 3 ? 0 : size - 2;
   std::vector<std::uint32_t> triangles;
+  triangles.reserve(3 * count);
   const std::uint32_t* face = corners.data();
   for (const std::uint32_t size : sizes) {
     for (std::uint32_t k = 2; k < size; ++k)

@@ -23,6 +23,7 @@ namespace clers {
 enum class Broken : std::uint8_t {
   none,
   too_many_vertices,  ///< more than were declared
+  too_many_merges,    ///< more S than there is room for
   c_on_two_edges,     ///< C where the curve has two edges: its triangle would repeat a vertex
   s_without_gate,     ///< S joins to a gate put aside, and there is none
   curve_too_short,    ///< a special S on a curve without room for it
@@ -39,7 +40,8 @@ struct Building {
       corners;                 ///< 3 a face; on return ids of the construction, not yet numbers
   std::span<FrontLink> links;  ///< one for each vertex id that will be made
   std::vector<std::uint32_t>
-      merged;                  ///< vertices that S merged away, in order; links[x].prev = into what
+      merged;  ///< vertices that S merged away, in order; links[x].prev = into what
+  std::uint32_t merges = 0xffffffffu;  ///< how many there may be
   std::uint32_t finished = 0;  ///< vertices that will not change; links[v].prev = how many before v
 };
 
@@ -96,6 +98,7 @@ class SpiraleReversi {
               if (made == ids) return Broken::too_many_vertices;
               gate = front.attach_keep_left(gate, Face(i), made++, c);
             } else if constexpr (letter() == Clers::S) {
+              if (to_.merged.size() == to_.merges) return Broken::too_many_merges;
               if (!aside_.empty() && !source_.special()) {
                 const Gate left = aside_.back();
                 aside_.pop_back();
@@ -110,6 +113,7 @@ class SpiraleReversi {
             } else {
               if (ids - made < 3) return Broken::too_many_vertices;
               if (!aside_.empty() || !source_.new_component(front.prev(gate.x) == gate.y)) {
+                if (aside_.size() == to_.merges) return Broken::gate_left;  // an S for each
                 aside_.push_back(gate);
               } else if (!waiting_is_over()) {
                 return Broken::waiting_curve;

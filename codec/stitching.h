@@ -21,6 +21,10 @@ namespace clers {
 class Stitching {
  public:
   static constexpr std::uint32_t unknown = 0xffffffffu;
+  /// Bytes that it takes, the classes not counted.
+  static constexpr std::uint64_t memory(std::uint64_t vertices) {
+    return vertices * (sizeof(std::uint32_t) + sizeof(Near)) + vertices / 8 + 8;
+  }
 
   /// `corners` are triangles of surface vertices, all below `vertices`.
   Stitching(std::span<const std::uint32_t> corners, std::uint32_t vertices)

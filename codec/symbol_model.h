@@ -63,6 +63,8 @@ static_assert(sizeof(SymbolRecord) == 32);
 class ContextTables {
  public:
   static constexpr unsigned max_valence = 15, max_history = 8, table_bits = 13;
+  static constexpr std::size_t most_memory =
+      sizeof(SymbolRecord) * (((max_valence + 1) << 2) + (1u << table_bits));
 
   /// k letters of history, 1..max_history. May fail to allocate: see ok().
   explicit ContextTables(unsigned k)

@@ -4,8 +4,11 @@
 #include <cctype>
 #include <set>
 
+#include "codec/check.h"
+#include "codec/guarded.h"
 #include "codec/io/formats.h"
 #include "codec/io/numbers.h"
+#include "codec/utf8.h"
 
 namespace clers::io {
 
@@ -52,10 +55,8 @@ Expected<Done> check(const Mesh& mesh, std::size_t number) {
   const std::size_t counts[] = {mesh.vertex_count, mesh.corners.size(), mesh.face_count()};
   std::set<std::pair<Domain, std::string_view>> names;
   for (const Attribute& a : mesh.attributes) {
-    if (static_cast<unsigned>(a.domain) > 2 || static_cast<unsigned>(a.scalar) >= scalar_count ||
-        a.components == 0)
-      return inconsistent("expected attribute " + quoted(a.name) +
-                          " to have a domain, a scalar and at least one component");
+    if (const std::string defect = kind_defect(a); !defect.empty())
+      return inconsistent("attribute " + quoted(a.name) + " has " + defect);
     const std::size_t count = counts[static_cast<unsigned>(a.domain)];
     if (a.data.size() != count * a.stride())
       return inconsistent("expected " + label(a) + " to have " +
@@ -78,6 +79,24 @@ Expected<ReadResult> read_as(std::span<const std::byte> bytes, Format format) {
   return fail(ErrorCode::unsupported, "expected a known format");
 }
 
+/// Mesh files say nothing of their encoding: what is no UTF-8 is taken as Latin-1.
+void make_utf8(std::string& name, Notes& notes) {
+  if (is_utf8(name)) return;
+  std::string utf8;
+  for (const char c : name) {
+    const unsigned byte = static_cast<unsigned char>(c);
+    if (byte < 0x80) {
+      utf8 += c;
+    } else {
+      utf8 += static_cast<char>(0xc0 | byte >> 6);
+      utf8 += static_cast<char>(0x80 | (byte & 0x3f));
+    }
+  }
+  name = std::move(utf8);
+  notes.push_back({Note::Kind::remark, 1, "the name " + quoted(name),
+                   "the name " + quoted(name) + " is not UTF-8 and was read as Latin-1"});
+}
+
 }  // namespace
 
 std::optional<Format> format_of(std::string_view name) {
@@ -92,44 +111,53 @@ std::optional<Format> format_of(std::string_view name) {
 }
 
 Expected<ReadResult> read(std::span<const std::byte> bytes, Format format) {
-  Expected<ReadResult> result = read_as(bytes, format);
-  // Only now: the header of a binary STL may begin like anything.
-  if (!result)
-    if (const std::optional<std::string> kind = foreign_kind(bytes))
-      return fail(ErrorCode::unsupported, "this is " + *kind);
-  if (result && (format == Format::obj || format == Format::off))
-    set_metadata(result->meshes[0], source_key, format == Format::obj ? "obj" : "off");
-  return result;
+  return guarded("read", [&]() -> Expected<ReadResult> {
+    Expected<ReadResult> result = read_as(bytes, format);
+    // Only now: the header of a binary STL may begin like anything.
+    if (!result)
+      if (const std::optional<std::string> kind = foreign_kind(bytes))
+        return fail(ErrorCode::unsupported, "this is " + *kind);
+    if (!result) return result;
+    for (Mesh& mesh : result->meshes) {
+      make_utf8(mesh.name, result->notes);
+      for (Attribute& a : mesh.attributes) make_utf8(a.name, result->notes);
+    }
+    if (format == Format::obj || format == Format::off)
+      set_metadata(result->meshes[0], source_key, format == Format::obj ? "obj" : "off");
+    return result;
+  });
 }
 
 Expected<WriteResult> write(std::span<const Mesh> meshes, Format format,
                             std::optional<Encoding> encoding) {
-  for (std::size_t i = 0; i < meshes.size(); ++i)
-    if (Expected<Done> checked = check(meshes[i], i); !checked)
-      return Failure<Error>{checked.error()};
-  if (meshes.size() != 1 && format != Format::obj)
-    return fail(ErrorCode::unsupported,
-                "expected one mesh, which is what this format holds, found " +
-                    std::to_string(meshes.size()));
-  if (encoding == Encoding::binary && (format == Format::obj || format == Format::off))
-    return fail(ErrorCode::unsupported,
-                "expected text, the one encoding of this format written here");
+  return guarded("write", [&]() -> Expected<WriteResult> {
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+      if (Expected<Done> checked = check(meshes[i], i); !checked)
+        return Failure<Error>{checked.error()};
+    if (meshes.size() != 1 && format != Format::obj)
+      return fail(ErrorCode::unsupported,
+                  "expected one mesh, which is what this format holds, found " +
+                      std::to_string(meshes.size()));
+    if (encoding == Encoding::binary && (format == Format::obj || format == Format::off))
+      return fail(ErrorCode::unsupported,
+                  "expected text, the one encoding of this format written here");
 
-  Output out;
-  Notes notes;
-  Expected<Done> done = [&]() -> Expected<Done> {
-    switch (format) {
-      case Format::ply:
-        return write_ply(meshes[0], encoding.value_or(Encoding::binary), out, notes);
-      case Format::obj: return write_obj(meshes, out, notes);
-      case Format::off: return write_off(meshes[0], out, notes);
-      case Format::stl:
-        return write_stl(meshes[0], encoding.value_or(Encoding::binary), out, notes);
-    }
-    return fail(ErrorCode::unsupported, "expected a known format");
-  }();
-  if (!done) return Failure<Error>{done.error()};
-  return WriteResult{out.take(), std::move(notes)};
+    Output out;
+    Notes notes;
+    Expected<Done> done = [&]() -> Expected<Done> {
+      switch (format) {
+        case Format::ply:
+          return write_ply(meshes[0], encoding.value_or(Encoding::binary), out, notes);
+        case Format::obj: return write_obj(meshes, out, notes);
+        case Format::off: return write_off(meshes[0], out, notes);
+        case Format::stl:
+          return write_stl(meshes[0], encoding.value_or(Encoding::binary), out, notes);
+      }
+      return fail(ErrorCode::unsupported, "expected a known format");
+    }();
+    if (!done) return Failure<Error>{done.error()};
+    return WriteResult{out.take(), std::move(notes)};
+  });
 }
 
 void set_face_sizes(Mesh& mesh, std::vector<std::uint32_t> sizes) {

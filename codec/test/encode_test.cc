@@ -234,10 +234,20 @@ TEST(Decode, Limits) {
   options.limits.vertices = mesh.vertex_count - 1;
   EXPECT_EQ(decode(coded->bytes, options).error().code, ErrorCode::limit);
   options = {};
-  options.limits.memory = 12 * mesh.face_count() + 12 * mesh.vertex_count;
-  EXPECT_TRUE(decode(coded->bytes, options).ok());
+  options.limits.memory = 1;
+  for (auto out = decode(coded->bytes, options); !out; out = decode(coded->bytes, options)) {
+    ASSERT_EQ(out.error().code, ErrorCode::limit);
+    ASSERT_EQ(out.error().limited, Limited::memory);
+    ASSERT_GT(out.error().needed, *options.limits.memory);
+    options.limits.memory = out.error().needed;
+  }
+  EXPECT_GE(*options.limits.memory, 12 * mesh.face_count() + 12 * mesh.vertex_count);
   --*options.limits.memory;
-  EXPECT_EQ(decode(coded->bytes, options).error().code, ErrorCode::limit);
+  const auto refused = decode(coded->bytes, options);
+  EXPECT_EQ(refused.error().needed, *options.limits.memory + 1);
+  EXPECT_EQ(refused.error().what,
+            "the file needs " + std::to_string(refused.error().needed) +
+                " bytes of memory, the limit is " + std::to_string(*options.limits.memory));
   options = {};
   options.limits.meshes = 0;
   EXPECT_EQ(decode(coded->bytes, options).error().code, ErrorCode::limit);
