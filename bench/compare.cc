@@ -33,6 +33,7 @@ Without a mesh: the folder $CLERS_CORPUS, else what scripts/fetch-corpus brought
   --modes LIST      of connectivity, q11, q14, q16, lossless (default: all)
   --codecs LIST     names or beginnings of names: clers, draco, draco-cl7, ... (default: all)
   --filter TEXT     only meshes whose name contains TEXT
+  --group NAME      only meshes of this group of the means: manifold, "not manifold", ...
   --repeats N       samples of each encode and decode (default 60)
   --min-time S      seconds a sample lasts at least; short runs are repeated (default 0.00002)
   --budget S        seconds for one codec's encodes or decodes of one mesh; slow ones get
@@ -48,7 +49,7 @@ Without a mesh: the folder $CLERS_CORPUS, else what scripts/fetch-corpus brought
 struct Arguments {
   std::vector<Mode> modes{std::begin(all_modes), std::end(all_modes)};
   std::vector<std::string> codecs, meshes;
-  std::string filter, json, html, scaling, from;
+  std::string filter, group, json, html, scaling, from;
   Sampling sampling;
   int passes = 3;
   unsigned timeout = 120;
@@ -112,6 +113,11 @@ Arguments parse(int argc, char** argv) {
       a.codecs = split(value());
     } else if (option == "--filter") {
       a.filter = value();
+    } else if (option == "--group") {
+      a.group = value();
+      if (std::find(std::begin(group_names), std::end(group_names), a.group) ==
+          std::end(group_names))
+        fail_usage("no such group: " + a.group);
     } else if (option == "--repeats") {
       a.sampling.repeats = std::max(1, static_cast<int>(number(value())));
     } else if (option == "--min-time") {
@@ -193,22 +199,28 @@ std::uint64_t draco_connectivity(const Input& input, unsigned timeout) {
   return 0;
 }
 
+// What all results of a mesh say of it.
+Result about(const Input& input, unsigned timeout) {
+  Result r;
+  r.mesh = input.name;
+  r.family = input.family;
+  r.triangles = input.triangle_count();
+  r.vertices = input.vertex_count;
+  r.manifold = input.manifold;
+  r.fanned = input.fanned;
+  r.draco_connectivity = draco_connectivity(input, timeout);
+  return r;
+}
+
 // First runs of all codecs on one mesh in one mode: bytes, heap, fidelity.
-std::vector<Result> first_runs(const Input& input, Mode mode, std::uint64_t draco_bytes,
+std::vector<Result> first_runs(const Input& input, Mode mode, const Result& mesh,
                                const std::vector<CodecEntry>& entries, unsigned timeout) {
   std::vector<Result> rows;
   for (const CodecEntry& entry : entries) {
     if (std::find(entry.modes.begin(), entry.modes.end(), mode) == entry.modes.end()) continue;
-    Result r;
-    r.mesh = input.name;
-    r.family = input.family;
+    Result r = mesh;
     r.codec = entry.name;
     r.mode = mode;
-    r.triangles = input.triangle_count();
-    r.vertices = input.vertex_count;
-    r.manifold = input.manifold;
-    r.fanned = input.fanned;
-    r.draco_connectivity = draco_bytes;
     r.trial = try_codec(entry, input, mode, timeout);
     rows.push_back(std::move(r));
   }
@@ -257,7 +269,7 @@ void write_text(const std::string& file, const std::string& text) {
 struct Work {
   std::filesystem::path file;
   std::vector<std::vector<Result>> modes;
-  bool unreadable = false;
+  bool left_out = false;
 };
 
 // One pass over a file; the first makes the results. Prints when there are no more to come.
@@ -269,9 +281,13 @@ void measure(Work& work, bool first, bool last, const std::vector<CodecEntry>& e
   sampling.budget /= setting.passes;
   const Input input = read_input(work.file);
   if (first) {
-    const std::uint64_t draco_bytes = draco_connectivity(input, arguments.timeout);
+    const Result mesh = about(input, arguments.timeout);
+    if (!arguments.group.empty() && !in_group(mesh, arguments.group)) {
+      work.left_out = true;
+      return;
+    }
     for (const Mode mode : arguments.modes)
-      work.modes.push_back(first_runs(input, mode, draco_bytes, entries, arguments.timeout));
+      work.modes.push_back(first_runs(input, mode, mesh, entries, arguments.timeout));
   }
   for (std::vector<Result>& rows : work.modes) {
     take_samples(input, entries, sampling, rows);
@@ -299,7 +315,7 @@ std::vector<Result> measure_all(const Setting& setting, const Arguments& argumen
     std::size_t count = 0;
     for (Work& work : works) {
       ++count;
-      if (work.unreadable) continue;
+      if (work.left_out) continue;
       std::cerr << "[pass " << pass + 1 << "/" << setting.passes << ", mesh " << count << "/"
                 << works.size() << "] " << work.file.filename().string() << "\n";
       try {

@@ -19,7 +19,11 @@ std::string Setting::rivals() const {
 
 std::vector<std::string> groups_of(const Result& r) {
   std::vector<std::string> groups;
-  if (!r.manifold || r.draco_connectivity < 500) return groups;
+  if (r.draco_connectivity < 500) return groups;
+  if (!r.manifold) {
+    if (r.triangles >= 2000) groups.push_back(not_manifold);
+    return groups;
+  }
   groups.push_back(group_names[0]);
   if (r.mesh.find("components-plant") == std::string::npos) groups.push_back(group_names[1]);
   for (const char* part : {"bunny", "igea", "horse", "pizza", "boot", "rocker", "st-helens",
@@ -29,6 +33,11 @@ std::vector<std::string> groups_of(const Result& r) {
       break;
     }
   return groups;
+}
+
+bool in_group(const Result& r, const std::string& group) {
+  const std::vector<std::string> groups = groups_of(r);
+  return std::find(groups.begin(), groups.end(), group) != groups.end();
 }
 
 }  // namespace clers::bench

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <ostream>
 #include <set>
@@ -93,11 +94,6 @@ Mean mean_ratio(const Index& index, const std::string& codec, const std::string&
   return mean;
 }
 
-bool in_group(const Result& r, const std::string& group) {
-  const std::vector<std::string> groups = groups_of(r);
-  return std::find(groups.begin(), groups.end(), group) != groups.end();
-}
-
 // Every codec, all measures of the groups beside each other.
 void print_groups(std::ostream& out, const std::vector<std::string>& codecs,
                   const std::string& reference, const Index& index) {
@@ -123,6 +119,69 @@ void print_groups(std::ostream& out, const std::vector<std::string>& codecs,
       out << " ";
     }
     out << "\n";
+  }
+}
+
+// Meshes that are not manifold, one a line: how fast clers is beside the reference on each.
+void print_not_manifold(std::ostream& out, const std::vector<std::string>& codecs,
+                        const std::string& reference, const Index& index) {
+  std::vector<std::string> ours;
+  std::copy_if(codecs.begin(), codecs.end(), std::back_inserter(ours),
+               [](const std::string& codec) { return codec.rfind("clers", 0) == 0; });
+  std::vector<const Result*> meshes;
+  for (const auto& [key, r] : index)
+    if (key.second == reference && in_group(*r, not_manifold)) meshes.push_back(r);
+  if (ours.empty() || meshes.empty()) return;
+  out << format("\n%-40s %10s", not_manifold, "triangles");
+  for (const std::string& codec : ours) out << format(" %8s %7s %7s", codec.c_str(), "", "");
+  out << format("\n%-40s %10s", "", "");
+  for (std::size_t i = 0; i < ours.size(); ++i)
+    out << format(" %8s %7s %7s", "size", "encode", "decode");
+  out << "\n";
+  for (const Result* base : meshes) {
+    out << format("%-40.40s %10llu", base->mesh.c_str(),
+                  static_cast<unsigned long long>(base->triangles));
+    for (const std::string& codec : ours) {
+      const auto at = index.find({base->mesh, codec});
+      for (const Measure& m : measures)
+        out << (at == index.end() ? format(" %7s", "fails")
+                                  : format(" %7.3f", m.of(*at->second) / m.of(*base)))
+            << (&m == &measures[0] ? " " : "");
+    }
+    out << "\n";
+  }
+  out << format("%-40s %10s", "geometric mean", "");
+  for (const std::string& codec : ours)
+    for (const Measure& m : measures) {
+      const auto has = [](const Result& r) { return in_group(r, not_manifold); };
+      out << format(" %7.3f", mean_ratio(index, codec, reference, m, has).value)
+          << (&m == &measures[0] ? " " : "");
+    }
+  out << "\n";
+}
+
+// What the codecs give back of meshes that are not manifold, all together.
+void print_losses(std::ostream& out, const std::vector<std::string>& codecs, const Index& index) {
+  out << format("\n%-24s  %6s  %6s  %10s %10s  %10s %10s\n", "not manifold: comes back", "meshes",
+                "same", "triangles", "triangles", "vertices", "vertices");
+  out << format("%-24s  %6s  %6s  %10s %10s  %10s %10s\n", "", "", "", "lost", "added", "lost",
+                "doubled");
+  for (const std::string& codec : codecs) {
+    unsigned long long meshes = 0, same = 0;
+    Fidelity sum;
+    for (const auto& [key, r] : index) {
+      if (key.second != codec || !in_group(*r, not_manifold)) continue;
+      const Fidelity& f = r->trial.fidelity;
+      ++meshes;
+      same += f.same();
+      sum.triangles_lost += f.triangles_lost, sum.triangles_added += f.triangles_added;
+      sum.vertices_lost += f.vertices_lost, sum.vertices_added += f.vertices_added;
+    }
+    if (meshes == 0) continue;
+    const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
+    out << format("%-24s  %6llu  %6llu  %10llu %10llu  %10llu %10llu\n", codec.c_str(), meshes,
+                  same, number(sum.triangles_lost), number(sum.triangles_added),
+                  number(sum.vertices_lost), number(sum.vertices_added));
   }
 }
 
@@ -218,8 +277,12 @@ void print_means(std::ostream& out, const Setting& setting, const std::vector<Re
           << "==== size: smaller is better; speed: larger is; " << setting.rivals() << " ====\n";
       if (bits(mode) && !ours) out << no_grid;
       print_groups(out, codecs, reference, index);
+      print_not_manifold(out, codecs, reference, index);
       for (const Measure& m : measures) print_classes(out, codecs, reference, index, m);
     }
+    if (std::any_of(index.begin(), index.end(),
+                    [](const auto& entry) { return in_group(*entry.second, not_manifold); }))
+      print_losses(out, codecs, index);
   }
   out.flush();
 }

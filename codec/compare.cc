@@ -1,12 +1,15 @@
 #include "codec/compare.h"
 
 #include <algorithm>
+#include <new>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "codec/comparison/comparand.h"
+#include "codec/comparison/equitable.h"
 #include "codec/comparison/pairing.h"
 #include "codec/comparison/refinement.h"
 #include "codec/comparison/renumbering.h"
@@ -18,8 +21,10 @@
 //   1. Colour the vertices by their values (comparand.h). In most files positions differ, so every
 //      colour is alone in its class and the bijection is forced.
 //   2. Otherwise refine (refinement.h), until that is so or nothing more is learned.
-//   3. Where classes stay larger than one vertex, pair off components that are isomorphic
-//      (pairing.h), which a search shows (isomorphism.h).
+//   3. Where classes stay larger than one vertex, cut them finer than hashes did and single out one
+//      vertex after the other (equitable.h). Nearly always any of a class will do.
+//   4. Where one did not, pair off components that are isomorphic (pairing.h), which a search shows
+//      (isomorphism.h).
 //
 // Colours differ: no bijection exists. Equality is proved at the end, on the bits themselves
 // (renumbering.h).
@@ -64,22 +69,8 @@ std::optional<std::string> colour(Comparand& a, Comparand& b, std::vector<Index>
   return std::nullopt;
 }
 
-}  // namespace
-
-Comparison compare(const Mesh& a, const Mesh& b) {
-  if (const std::string what = objection(a); !what.empty())
-    return {Verdict::undecided, "the first mesh " + what};
-  if (const std::string what = objection(b); !what.empty())
-    return {Verdict::undecided, "the second mesh " + what};
-  if (a.vertex_count != b.vertex_count)
-    return differ(two_counts("vertices", a.vertex_count, b.vertex_count));
-  if (a.face_count() != b.face_count())
-    return differ(two_counts("faces", a.face_count(), b.face_count()));
-  if (a.corners.size() != b.corners.size())
-    return differ(two_counts("corners", a.corners.size(), b.corners.size()));
-  Comparand first(a), second(b);
-  if (auto what = attributes_differ(first, second)) return differ(std::move(*what));
-
+/// What neither colours nor the order of attributes tell apart.
+Comparison compare_structure(Comparand& first, Comparand& second) {
   std::vector<Index> image;
   if (auto what = colour(first, second, image)) return differ(std::move(*what));
   if (image.size() == first.vertices()) {
@@ -91,11 +82,40 @@ Comparison compare(const Mesh& a, const Mesh& b) {
   const Classes faces_a = classes(face_colours(first)), faces_b = classes(face_colours(second));
   if (auto what = histograms_differ(faces_a, faces_b, "face", "the same values and neighbourhood"))
     return differ(std::move(*what));
-  Comparison result = pair_components({first, faces_a}, {second, faces_b}, image);
+  const Side a(first, faces_a), b(second, faces_b);
+  Comparison result = pair_by_cells(a, b, image);
+  if (result.verdict == Verdict::undecided) result = pair_components(a, b, image);
   if (result.verdict != Verdict::same) return result;
   if (auto what = renumbering_fails(first, second, image))
     return {Verdict::undecided, std::move(*what)};  // colours collided
   return result;
+}
+
+Comparison compare_checked(const Mesh& a, const Mesh& b) {
+  if (a.vertex_count != b.vertex_count)
+    return differ(two_counts("vertices", a.vertex_count, b.vertex_count));
+  if (a.face_count() != b.face_count())
+    return differ(two_counts("faces", a.face_count(), b.face_count()));
+  if (a.corners.size() != b.corners.size())
+    return differ(two_counts("corners", a.corners.size(), b.corners.size()));
+  Comparand first(a), second(b);
+  if (auto what = attributes_differ(first, second)) return differ(std::move(*what));
+  return compare_structure(first, second);
+}
+
+}  // namespace
+
+Expected<Comparison> compare(const Mesh& a, const Mesh& b) try {
+  for (const Mesh* mesh : {&a, &b})
+    if (auto error = objection(*mesh)) {
+      error->what = (mesh == &a ? "the first mesh " : "the second mesh ") + error->what;
+      return Failure{std::move(*error)};
+    }
+  return compare_checked(a, b);
+} catch (const std::bad_alloc&) {
+  return fail(ErrorCode::out_of_memory, "not enough memory to compare");
+} catch (const std::length_error&) {  // more than a container can hold
+  return fail(ErrorCode::out_of_memory, "not enough memory to compare");
 }
 
 std::string metadata_difference(const Mesh& a, const Mesh& b) {

@@ -56,6 +56,8 @@ def main():
         # Three triangles at an edge, and one that uses a vertex twice.
         (at / "nonmanifold-book.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 1 1\n"
                                                  "f 1 2 3\nf 1 2 4\nf 1 2 5\nf 1 1 2\n")
+        # A torus with fins: its edges have three faces here and there.
+        (at / "nonmanifold-fins.obj").write_text(torus(40) + "".join(f"v {k} 50 50\nf {k} {k + 1} {1600 + k}\n" for k in range(1, 39)))
         (at / "broken.obj").write_text("f 1 2 3\n")
         (at / "notes.txt").write_text("not a mesh")
         out = run(compare, "--repeats", "2", "--min-time", "0", "--json", at / "r.json", at)
@@ -81,6 +83,17 @@ def main():
                 check(r["same_mesh"] and not r["manifold"], f"clers loses something: {r}")
         draco = [r for r in rows if r["mesh"] == "nonmanifold-book" and r["codec"] == "draco-valence"]
         check(not draco[0]["same_mesh"] and draco[0]["triangles_lost"] == 1, f"Draco's loss is not seen: {draco}")
+        fins = {r["codec"]: r for r in rows if r["mesh"] == "nonmanifold-fins" and r["mode"] == "connectivity"}
+        check(all(r["groups"] == ["not manifold"] for r in fins.values()), f"not in its group: {fins}")
+        check(fins["draco-valence"]["vertices_added"] > 0, "Draco's doubled vertices are not seen")
+        check(re.search(r"nonmanifold-fins +3238 ", out) and re.search(r"comes back +meshes +same", out),
+              "meshes that are not manifold have no rows of their own")
+        only = run(compare, "--group", "not manifold", "--modes", "connectivity", "--codecs", "clers-1,draco-valence", "--repeats", "1",
+                   "--min-time", "0", at)
+        check("nonmanifold-fins, " in only and "cad-torus, " not in only, "--group takes the wrong meshes")
+        (at / "README.md").write_text("<!-- bench:begin --><!-- bench:end -->")
+        run(pathlib.Path(__file__).parents[2] / "scripts" / "readme-table", at / "r.json", at / "README.md")
+        check("1 meshes that are not manifold" in (at / "README.md").read_text(), "README's tables lack what is not manifold")
         check("meshoptimizer" in out and "connectivity: ratios to draco-valence" in out, "the tables are incomplete")
 
         points, fits = (json.loads((at / "s.json").read_text())[k] for k in ("points", "fits"))

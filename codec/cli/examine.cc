@@ -70,15 +70,16 @@ Outcome<Done> compare_all(Job& job, const std::vector<Mesh>& expected,
     return stop(Exit::different, fmt::format("{}: differs: {}, the original has {}", name,
                                              meshes_of(found.size()), expected.size()));
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const Comparison result = compare(expected[i], found[i]);
+    const auto result = compare(expected[i], found[i]);
+    if (!result) return stop(name, result.error());
     job.progress().show(static_cast<double>(i + 1) / static_cast<double>(found.size()));
     const std::string mesh = found.size() > 1 ? fmt::format("mesh {}: ", i) : "";
-    if (result.verdict == Verdict::different)
-      return stop(Exit::different, fmt::format("{}: differs: {}{}", name, mesh, result.what));
-    if (result.verdict == Verdict::undecided)
+    if (result->verdict == Verdict::different)
+      return stop(Exit::different, fmt::format("{}: differs: {}{}", name, mesh, result->what));
+    if (result->verdict == Verdict::undecided)
       return stop(Exit::undecided,
                   fmt::format("{}: neither equal nor different could be shown: {}{}", name, mesh,
-                              result.what));
+                              result->what));
   }
   return Done{};
 }

@@ -29,9 +29,14 @@ Outcome<io::Format> format_for(const std::string& path, std::optional<io::Format
   const std::size_t dot = path.rfind('.');
   if (dot != std::string::npos)
     if (const auto format = io::format_of(path.substr(dot))) return *format;
-  return stop(Exit::usage,
-              fmt::format("{}: {} tells no format; {} ply, obj, off or stl does", input_name(path),
-                          path == "-" ? "no name" : "its name", option));
+  return stop(
+      Exit::usage,
+      path == "-"
+          ? fmt::format("standard input: has no name to tell its format; {} ply, obj, off or "
+                        "stl does",
+                        option)
+          : fmt::format("{}: its name tells no format; {} ply, obj, off or stl does", path,
+                        option));
 }
 
 const char* extension(io::Format format) {

@@ -5,6 +5,9 @@
 #include <limits>
 #include <numeric>
 #include <tuple>
+#include <utility>
+
+#include "codec/check.h"
 
 namespace clers {
 namespace {
@@ -31,6 +34,9 @@ Comparand::Comparand(const Mesh& mesh)
                    [](const Attribute* a, const Attribute* b) { return key(*a) < key(*b); });
   for (std::size_t k = 0; k < attributes.size(); ++k) {
     const Attribute& a = *attributes[k];
+    auto& [begin, end] = of_domain[static_cast<std::size_t>(a.domain)];
+    if (begin == end) begin = k;
+    end = k + 1;
     const std::size_t count = mesh.value_count(a.domain), stride = a.stride();
     std::vector<Colour>& target = a.domain == Domain::vertex   ? colour
                                   : a.domain == Domain::corner ? corner_values
@@ -48,19 +54,31 @@ Comparand::Comparand(const Mesh& mesh)
   }
 }
 
-std::string objection(const Mesh& mesh) {
-  if (mesh.corners.size() >= std::numeric_limits<std::uint32_t>::max())
-    return "has too many corners to compare";
+std::optional<Error> objection(const Mesh& mesh) {
+  const auto wrong = [](std::string what) {
+    return Error{ErrorCode::inconsistent_mesh, Place::nowhere, 0, std::move(what)};
+  };
+  constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() - 1;
+  if (mesh.corners.size() > most || mesh.face_count() > most)
+    return Error{ErrorCode::too_large, Place::nowhere, 0,
+                 "has more than " + std::to_string(most) + " corners or faces"};
   if (mesh.triangles_only() ? mesh.corners.size() % 3 != 0
                             : std::accumulate(mesh.face_sizes.begin(), mesh.face_sizes.end(),
                                               std::uint64_t{0}) != mesh.corners.size())
-    return "has face sizes that do not add up to its corners";
+    return wrong("has face sizes that do not add up to its corners");
   for (const std::uint32_t v : mesh.corners)
-    if (v >= mesh.vertex_count) return "uses vertex " + std::to_string(v) + ", which it lacks";
-  for (const Attribute& a : mesh.attributes)
+    if (v >= mesh.vertex_count)
+      return wrong("uses vertex " + std::to_string(v) + ", expected one below " +
+                   std::to_string(mesh.vertex_count));
+  for (const Attribute& a : mesh.attributes) {
+    if (const std::string defect = kind_defect(a); !defect.empty())
+      return wrong("has an attribute '" + a.name + "' of " + defect);
     if (a.data.size() != mesh.value_count(a.domain) * a.stride())
-      return "has an attribute '" + a.name + "' of the wrong size";
-  return {};
+      return wrong("has " + std::to_string(a.data.size()) + " bytes of values of '" + a.name +
+                   "', expected " + std::to_string(mesh.value_count(a.domain)) + " times " +
+                   std::to_string(a.stride()));
+  }
+  return std::nullopt;
 }
 
 std::optional<std::string> attributes_differ(const Comparand& a, const Comparand& b) {

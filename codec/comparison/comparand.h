@@ -2,14 +2,17 @@
 #ifndef CLERS_CODEC_COMPARISON_COMPARAND_H
 #define CLERS_CODEC_COMPARISON_COMPARAND_H
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "codec/comparison/colours.h"
+#include "codec/error.h"
 #include "codec/faces.h"
 #include "codec/mesh.h"
 
@@ -21,9 +24,11 @@ struct Comparand {
 
   Faces faces;
   std::vector<const Attribute*> attributes;  ///< by domain, name and type
-  std::vector<Colour> colour;                ///< of each vertex: its values, until it is refined
-  std::vector<Colour> corner_values;         ///< of each corner; empty: has none
-  std::vector<Colour> face_values;           ///< of each face; empty: has none
+  /// Where those of each domain begin and end.
+  std::array<std::pair<std::size_t, std::size_t>, 3> of_domain = {};
+  std::vector<Colour> colour;         ///< of each vertex: its values, until it is refined
+  std::vector<Colour> corner_values;  ///< of each corner; empty: has none
+  std::vector<Colour> face_values;    ///< of each face; empty: has none
 
   std::uint32_t vertices() const { return static_cast<std::uint32_t>(colour.size()); }
   std::uint32_t corners() const { return static_cast<std::uint32_t>(faces.org.size()); }
@@ -36,8 +41,8 @@ struct Comparand {
   /// mesh with the same attributes: negative, zero or positive.
   int compare_values(Domain domain, std::uint32_t i, const Comparand& other,
                      std::uint32_t j) const {
-    for (std::size_t k = 0; k < attributes.size(); ++k) {
-      if (attributes[k]->domain != domain) continue;
+    const auto [begin, end] = of_domain[static_cast<std::size_t>(domain)];
+    for (std::size_t k = begin; k < end; ++k) {
       const std::size_t stride = attributes[k]->stride();
       const int order = std::memcmp(attributes[k]->data.data() + i * stride,
                                     other.attributes[k]->data.data() + j * stride, stride);
@@ -50,8 +55,8 @@ struct Comparand {
   }
 };
 
-/// What keeps a mesh from being compared, or nothing.
-std::string objection(const Mesh& mesh);
+/// What keeps a mesh from being compared ("uses vertex 7, expected one below 5"), or nothing.
+std::optional<Error> objection(const Mesh& mesh);
 
 /// The first attribute that only one of them has.
 std::optional<std::string> attributes_differ(const Comparand& a, const Comparand& b);

@@ -34,8 +34,7 @@ std::span<const Index> Stars::along(Index u, Index v) const {
   const auto next = [&](Index c) { return faces_.org[faces_.next(c)]; };
   const auto low =
       std::partition_point(all.begin(), all.end(), [&](Index c) { return next(c) < v; });
-  auto high = low;
-  while (high != all.end() && next(*high) == v) ++high;
+  const auto high = std::partition_point(low, all.end(), [&](Index c) { return next(c) == v; });
   return {low, high};
 }
 

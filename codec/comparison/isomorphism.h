@@ -27,7 +27,7 @@ class Stars {
   std::span<const std::uint32_t> at(std::uint32_t v) const {
     return std::span(corners_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
   }
-  /// The corners at u whose face runs on to v.
+  /// The corners at u whose face runs on to v. Cost: a binary search.
   std::span<const std::uint32_t> along(std::uint32_t u, std::uint32_t v) const;
 
  private:

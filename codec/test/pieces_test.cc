@@ -101,7 +101,9 @@ TEST(Pieces, RoundTrips) {
         ASSERT_TRUE(out.ok()) << describe(out.error());
         ASSERT_EQ(out->size(), 1u);
         expect_permuted(mesh, out->front(), coded->permutations[0]);
-        EXPECT_NE(compare(mesh, out->front()).verdict, Verdict::different);
+        const auto compared = compare(mesh, out->front());
+        ASSERT_TRUE(compared.ok()) << describe(compared.error());
+        EXPECT_NE(compared->verdict, Verdict::different);
         if (order == Order::keep) {
           EXPECT_EQ(out->front().corners, mesh.corners);
         }
