@@ -137,6 +137,7 @@ class CommandLine {
   }
 
   Exit run(int argc, char** argv) {
+    dashes_ = std::find(argv, argv + argc, std::string_view("--")) != argv + argc;
     try {
       app_.parse(argc, argv);
     } catch (const CLI::CallForVersion& asked) {
@@ -147,13 +148,17 @@ class CommandLine {
       if (const auto unknown = unknown_argument()) return usage(*unknown);
       return usage(error.what());
     }
-    if (help_) return explain();
+    if (help_) {
+      if (const auto unknown = unknown_argument()) return usage(*unknown);
+      return explain();
+    }
     if (command_ == nullptr) return usage("a command is needed: " + list(command_names(), "or"));
     if (!digit_.empty()) options_.encode.level = digit_[0] - '0';
     options_.inputs = many_;
     if (!original_.empty()) options_.inputs.push_back(original_);
     if (!one_.empty()) options_.inputs.push_back(one_);
-    if (const auto wrong = mistaken_input(argc, argv)) return usage(*wrong);
+    if (const auto unknown = unknown_argument()) return usage(*unknown);
+    if (const auto wrong = mistaken_input()) return usage(*wrong);
     return command_(options_);
   }
 
@@ -489,19 +494,20 @@ class CommandLine {
                  ? unknown_option(app_, words[0]) + "; options follow a command, such as encode"
                  : unknown_command(words[0]);
     if (commands.empty()) return std::nullopt;
-    const auto words = commands.front()->remaining();
-    if (words.empty()) return std::nullopt;
-    return words[0].starts_with('-')
-               ? unknown_option(*commands.front(), words[0])
-               : fmt::format("{} is one argument too many", in_quotes(words[0]));
+    const CLI::App& sub = *commands.front();
+    // The parser takes what looks like a negative number for a file.
+    for (const CLI::Option* option : sub.get_options())
+      if (option->get_positional() && !dashes_)
+        for (const std::string& file : option->results())
+          if (file.size() > 1 && file[0] == '-') return unknown_option(sub, file);
+    if (const auto words = sub.remaining(); !words.empty())
+      return words[0].starts_with('-') ? unknown_option(sub, words[0])
+                                       : in_quotes(words[0]) + " is one argument too many";
+    return std::nullopt;
   }
 
   /// Inputs that look like something else.
-  std::optional<std::string> mistaken_input(int argc, char** argv) const {
-    const bool dashes = std::find(argv, argv + argc, std::string_view("--")) != argv + argc;
-    const CLI::App& sub = *app_.get_subcommands().front();
-    for (const std::string& input : options_.inputs)
-      if (!dashes && input.size() > 1 && input[0] == '-') return unknown_option(sub, input);
+  std::optional<std::string> mistaken_input() const {
     if (options_.inputs.size() == 2) {
       const std::string &first = options_.inputs[0], &last = options_.inputs[1];
       const auto is_mesh = [](const std::string& name) {
@@ -547,7 +553,7 @@ class CommandLine {
   Options options_;
   std::vector<std::string> many_;
   std::string digit_, original_, one_, topic_;
-  bool help_ = false;
+  bool help_ = false, dashes_ = false;  ///< help is asked for; "--" comes before files
   Command command_ = nullptr;
 };
 

@@ -1,3 +1,4 @@
+# shellcheck shell=bash disable=SC2034
 # What the tests of the program share. usage: . harness.sh PROGRAM
 # Works in a new folder that is removed again; check and ends count in $passed and $failed.
 set -u
