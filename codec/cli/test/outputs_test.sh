@@ -137,7 +137,7 @@ if [ "$(id -u)" -eq 0 ] && command -v setpriv >/dev/null; then
   as_nobody() { setpriv --reuid 65534 --clear-groups "$clers" "$@" >/dev/null 2>err; status=$?; }
   as_nobody encode grid.obj -o private/x.clers; ends "no permission" 5 "private/x.clers: Permission denied"
   as_nobody encode grid.obj -o private/; ends "no permission for the directory" 5 "private/.*: Permission denied"
-  as_nobody encode private/x.obj -o x.clers; ends "no permission to read" 3 "private/x.obj: Permission denied"
+  as_nobody encode private/x.obj -c; ends "no permission to read" 3 "private/x.obj: Permission denied"
   as_nobody encode --from obj private/x -c; ends "no permission to look" 3 "private/x: Permission denied"
 fi
 no_leftovers "outputs"
