@@ -8,10 +8,12 @@
 namespace clers::cli {
 namespace {
 
-constexpr Stage encode_plan[] = {{"reading", 1}, {"reading", 1}, {"encoding", 1}, {"writing", 1}};
-constexpr Stage decode_plan[] = {{"reading", 1}, {"decoding", 1}, {"writing", 1}, {"writing", 1}};
+// Shares of the time, by measurement of scans and models of 0.1 to 2 million triangles.
+constexpr Stage encode_plan[] = {{"reading", 4}, {"reading", 20}, {"encoding", 72}, {"writing", 4}};
+constexpr Stage decode_plan[] = {
+    {"reading", 2}, {"decoding", 46}, {"writing", 36}, {"writing", 16}};
 constexpr Stage subdivide_plan[] = {
-    {"reading", 1}, {"reading", 1}, {"subdividing", 1}, {"writing", 1}, {"writing", 1}};
+    {"reading", 1}, {"reading", 3}, {"subdividing", 78}, {"writing", 9}, {"writing", 9}};
 
 /// Writes meshes in a format and saves them, which are two stages.
 Outcome<Done> save_meshes(Job& job, const std::vector<Mesh>& meshes, io::Format format,
@@ -57,11 +59,11 @@ Outcome<Done> encode_one(const Options& options, Job& job, const Destination& to
   if (!output) return Failure{output.error()};
   const Outcome<MeshFile> file = job.read_meshes();
   if (!file) return Failure{file.error()};
-  const std::string lost = losses(file->notes);
-  if (options.strict && !lost.empty())
+  const Losses lost = losses(file->notes);
+  if (options.strict && !lost.what.empty())
     return stop(Exit::input,
                 fmt::format("{}: {} cannot be carried; without --strict the rest is encoded",
-                            job.name(), lost));
+                            job.name(), lost.what));
   job.note(job.name(), file->notes);
   job.progress().next();
   EncodeOptions how = options.encode;

@@ -13,10 +13,11 @@
 namespace clers::cli {
 namespace {
 
-constexpr Stage info_plan[] = {{"reading", 1}, {"measuring", 1}};
-constexpr Stage check_plan[] = {{"reading", 1}, {"reading", 1}, {"measuring", 1}};
+// Shares of the time, by measurement of scans and models of 0.1 to 2 million triangles.
+constexpr Stage info_plan[] = {{"reading", 1}, {"measuring", 99}};
+constexpr Stage check_plan[] = {{"reading", 5}, {"reading", 19}, {"measuring", 76}};
 constexpr Stage verify_plan[] = {
-    {"reading", 1}, {"reading", 1}, {"reading", 1}, {"decoding", 1}, {"comparing", 1}};
+    {"reading", 4}, {"reading", 16}, {"reading", 1}, {"decoding", 12}, {"comparing", 67}};
 
 /// What a command found in its files, as it is printed: one file in detail, several as a line each
 /// below a heading, or JSON.
@@ -135,21 +136,22 @@ Exit verify(const Options& options) {
     const auto same = compare_all(job, expected->meshes, *found);
     if (!same) return Failure{same.error()};
 
-    const std::string lost = losses(expected->notes);
-    if (options.strict && !lost.empty())
-      return stop(Exit::different, fmt::format("{}: differs: {} of {} are not carried", job.name(),
-                                               lost, input_name(original)));
+    const Losses lost = losses(expected->notes);
+    if (options.strict && !lost.what.empty())
+      return stop(Exit::different, fmt::format("{}: differs: {} of {} {} not carried", job.name(),
+                                               lost.what, input_name(original), lost.are));
     job.progress().hide();
     if (options.quiet) return Exit::done;
     std::size_t faces = 0;
     for (const Mesh& mesh : *found) faces += mesh.face_count();
     const bool ordered =
         std::equal(found->begin(), found->end(), expected->meshes.begin(), in_one_order);
-    const std::string verdict =
-        fmt::format("{}: same as {}{}: {}, {} faces, every value bit for bit{}", job.name(),
-                    input_name(original),
-                    lost.empty() ? "" : fmt::format(", but for {} that are not carried", lost),
-                    meshes_of(found->size()), grouped(faces), ordered ? ", in the same order" : "");
+    const std::string verdict = fmt::format(
+        "{}: same as {}{}: {}, {} faces, every value bit for bit{}", job.name(),
+        input_name(original),
+        lost.what.empty() ? ""
+                          : fmt::format(", but for {} that {} not carried", lost.what, lost.are),
+        meshes_of(found->size()), grouped(faces), ordered ? ", in the same order" : "");
     const auto printed = print(printable(verdict) + "\n");
     if (!printed) return Failure{printed.error()};
     return Exit::done;

@@ -49,11 +49,15 @@ const char* extension(io::Format format) {
   return "";
 }
 
-std::string losses(const io::Notes& notes) {
+Losses losses(const io::Notes& notes) {
   std::vector<std::string> lost;
+  std::uint64_t count = 0;
   for (const io::Note& note : notes)
-    if (note.kind == io::Note::Kind::loss) lost.push_back(note.what);
-  return list(lost, "and");
+    if (note.kind == io::Note::Kind::loss) {
+      lost.push_back(note.what);
+      count += note.count;
+    }
+  return {list(lost, "and"), count == 1 ? "is" : "are"};
 }
 
 Outcome<Bytes> Job::read(const std::string& path) {

@@ -21,9 +21,12 @@ Outcome<io::Format> format_for(const std::string& path, std::optional<io::Format
 /// ".ply"
 const char* extension(io::Format format);
 
-/// What was left out, as part of a sentence: "665 texture coordinates and 3 materials"; "" if
-/// nothing.
-std::string losses(const io::Notes& notes);
+/// What was left out, as a part of a sentence.
+struct Losses {
+  std::string what;         ///< "665 texture coordinates and 3 materials"; "" if nothing
+  const char* are = "are";  ///< or "is"
+};
+Losses losses(const io::Notes& notes);
 
 struct MeshFile {
   std::vector<Mesh> meshes;

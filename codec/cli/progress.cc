@@ -59,8 +59,8 @@ void Progress::next() {
   const std::lock_guard lock(mutex_);
   const Clock::time_point now = Clock::now();
   double planned = 0;
-  for (std::size_t i = 0; i < stage_; ++i) planned += plan_[i].seconds;
-  if (planned > 0) slowness_ = seconds(now - start_) / planned;
+  for (std::size_t i = 0; i < stage_; ++i) planned += plan_[i].share;
+  if (planned > 0) pace_ = seconds(now - start_) / planned;
   stage_ = std::min(stage_ + 1, plan_.size());
   stage_start_ = told_at_ = now;
   told_ = 0;
@@ -98,13 +98,12 @@ void Progress::draw_until_stopped() {
 double Progress::share_done(Clock::time_point now) const {
   double before = 0, all = 0;
   for (std::size_t i = 0; i < plan_.size(); ++i) {
-    all += plan_[i].seconds;
-    if (i + 1 < stage_) before += plan_[i].seconds;
+    all += plan_[i].share;
+    if (i + 1 < stage_) before += plan_[i].share;
   }
-  const double planned = plan_[stage_ - 1].seconds;
+  const double planned = plan_[stage_ - 1].share;
   // What the stage has told says more about its length than the plan, once it is not too little.
-  const double length =
-      told_ > 0.1 ? seconds(told_at_ - stage_start_) / told_ : planned * slowness_;
+  const double length = told_ > 0.1 ? seconds(told_at_ - stage_start_) / told_ : planned * pace_;
   const double rest = std::max(1e-6, length * (1 - told_));
   const double stage = told_ + (1 - told_) * expected_share(seconds(now - told_at_) / rest);
   return all > 0 ? (before + stage * planned) / all : 0;

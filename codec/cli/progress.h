@@ -17,7 +17,7 @@ namespace clers::cli {
 /// One stage of the work on a file.
 struct Stage {
   const char* name;
-  double seconds;  ///< that it takes by measurement; the shares of the bar go by it
+  double share;  ///< of the time that all take; any unit
 };
 
 /// Draws a bar on stderr once the work has taken half a second, if stderr is a terminal; erases it
@@ -56,7 +56,7 @@ class Progress {
   std::condition_variable stopped_;
   bool stop_ = false, hidden_ = true, drawn_ = false;
   std::size_t stage_ = 0;        ///< how many have begun
-  double slowness_ = 1;          ///< seconds that a second of the plan takes here
+  double pace_ = 0.1;            ///< seconds that a unit of the plan takes here
   double told_ = 0, shown_ = 0;  ///< of this stage; of the whole, so that it never falls
   Clock::time_point start_, stage_start_, told_at_;
   std::thread drawer_;
