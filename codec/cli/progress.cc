@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -28,8 +27,8 @@ std::size_t columns_of_stderr() {
 
 /// The share that is done after `x` of the expected time: x, until most of it is gone.
 double expected_share(double x) {
-  constexpr double bend = 0.8;
-  return x < bend ? x : 1 - (1 - bend) * std::exp(-(x - bend) / (1 - bend));
+  constexpr double bend = 0.7;
+  return x < bend ? x : 1 - (1 - bend) * (1 - bend) / (x + 1 - 2 * bend);
 }
 
 double seconds(std::chrono::steady_clock::duration d) {
