@@ -63,6 +63,15 @@ std::string meshes_of(std::size_t count) {
   return fmt::format("{} mesh{}", count, count == 1 ? "" : "es");
 }
 
+/// What is said beside the first mesh of which something else is said; "" if there is none. It is
+/// no part of the mesh, and of a file in another format it must differ.
+std::string metadata_differences(const std::vector<Mesh>& expected,
+                                 const std::vector<Mesh>& found) {
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (std::string what = metadata_difference(expected[i], found[i]); !what.empty()) return what;
+  return "";
+}
+
 /// Done if all meshes are the same.
 Outcome<Done> compare_all(Job& job, const std::vector<Mesh>& expected,
                           const std::vector<Mesh>& found) {
@@ -136,6 +145,9 @@ Exit verify(const Options& options) {
     const auto same = compare_all(job, expected->meshes, *found);
     if (!same) return Failure{same.error()};
 
+    const std::string metadata = metadata_differences(expected->meshes, *found);
+    if (options.strict && !metadata.empty())
+      return stop(Exit::different, fmt::format("{}: differs: {}", job.name(), metadata));
     const Losses lost = losses(expected->notes);
     if (options.strict && !lost.what.empty())
       return stop(Exit::different, fmt::format("{}: differs: {} of {} {} not carried", job.name(),
@@ -147,8 +159,8 @@ Exit verify(const Options& options) {
     const bool ordered =
         std::equal(found->begin(), found->end(), expected->meshes.begin(), in_one_order);
     const std::string verdict = fmt::format(
-        "{}: same as {}{}: {}, {} faces, every value bit for bit{}", job.name(),
-        input_name(original),
+        "{}: same as {}{}{}: {}, {} faces, every value bit for bit{}", job.name(),
+        input_name(original), metadata.empty() ? "" : fmt::format(", but for {}", metadata),
         lost.what.empty() ? ""
                           : fmt::format(", but for {} that {} not carried", lost.what, lost.are),
         meshes_of(found->size()), grouped(faces), ordered ? ", in the same order" : "");

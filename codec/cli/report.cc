@@ -51,6 +51,7 @@ MeshInfo total(const FileInfo& info) {
     sum.order_bytes += mesh.order_bytes;
     sum.position_bytes += mesh.position_bytes;
     sum.attribute_bytes += mesh.attribute_bytes;
+    sum.metadata_bytes += mesh.metadata_bytes;
     for (std::size_t i = 0; i < sum.clers.size(); ++i) sum.clers[i] += mesh.clers[i];
   }
   return sum;
@@ -94,6 +95,7 @@ void put(Json& json, const MeshInfo& m) {
   json["order_bytes"] = m.order_bytes;
   json["position_bytes"] = m.position_bytes;
   json["attribute_bytes"] = m.attribute_bytes;
+  json["metadata_bytes"] = m.metadata_bytes;
   json["connectivity_bits_per_triangle"] =
       m.shape.triangles == 0 ? Json() : Json(bits_per_triangle(m));
   for (std::size_t i = 0; i < m.clers.size(); ++i)
@@ -140,6 +142,8 @@ void put(std::string& out, const MeshShape& s) {
   if (s.isolated_vertices != 0) line(out, "isolated vertices", s.isolated_vertices);
 }
 
+constexpr std::size_t longest_value = 54;  ///< of metadata, in a line of 80 columns
+
 std::string heading(std::size_t i, const std::string& mesh) {
   return mesh.empty() ? fmt::format("mesh {}\n", i)
                       : fmt::format("mesh {} '{}'\n", i, printable(mesh));
@@ -168,6 +172,9 @@ std::string info_json(const std::string& file, const FileInfo& info) {
                                    {"components", a.components},
                                    {"count", a.count},
                                    {"bytes", a.bytes}});
+    one["metadata"] = Json::array();
+    for (const MetadataEntry& entry : mesh.metadata)
+      one["metadata"].push_back({{"key", entry.key}, {"value", entry.value}});
     json["meshes"].push_back(std::move(one));
   }
   return dump(json);
@@ -217,8 +224,13 @@ std::string info_text(const std::string& file, const FileInfo& info) {
   if (sum.order_bytes != 0) line(out, "  of them for the order", sum.order_bytes);
   line(out, "position bytes", sum.position_bytes);
   line(out, "attribute bytes", sum.attribute_bytes);
+  if (sum.metadata_bytes != 0) line(out, "metadata bytes", sum.metadata_bytes);
   line(out, "overhead bytes", info.overhead_bytes);
   line(out, "total bytes", info.total_bytes);
+  if (info.meshes.size() == 1)
+    for (const MetadataEntry& entry : info.meshes[0].metadata)
+      out += fmt::format("  {:<22} {}\n", printable(entry.key),
+                         fitting(printable(entry.value), longest_value));
   return out;
 }
 

@@ -222,7 +222,7 @@ check "killed: nothing else" test "$(ls -A killed)" = old.clers
 # ---- The reports
 run info --json grid.clers; ends "info --json" 0
 for key in vertices faces triangles components boundary_curves genus nonmanifold_edges \
-  nonmanifold_vertices connectivity_bytes position_bytes attribute_bytes overhead_bytes total_bytes \
+  nonmanifold_vertices connectivity_bytes position_bytes attribute_bytes metadata_bytes overhead_bytes total_bytes \
   connectivity_bits_per_triangle clers; do
   check "info --json has $key" grep -q "^  \"$key\": " out
 done
@@ -234,7 +234,7 @@ check "boundary curves" test "$(number boundary_curves)" = 1
 check "genus" test "$(number genus)" = 0
 check "total_bytes is the file's size" test "$(number total_bytes)" = "$(stat -c %s grid.clers)"
 check "the bytes add up" test $(($(number connectivity_bytes) + $(number position_bytes) + \
-  $(number attribute_bytes) + $(number overhead_bytes))) = "$(number total_bytes)"
+  $(number attribute_bytes) + $(number metadata_bytes) + $(number overhead_bytes))) = "$(number total_bytes)"
 run check --json grid.obj; ends "check --json" 0
 check "check --json agrees" test "$(number vertices) $(number triangles) $(number boundary_curves)" = "121 200 1"
 run check tetrahedron.obj; ends "check" 0

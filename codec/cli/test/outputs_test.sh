@@ -11,8 +11,8 @@ check "encode: one line of result" grep -qxE \
   'grid.obj -> grid.clers: 4,094 -> [0-9]+ bytes, [0-9.]+ times smaller, [0-9.]+ s' err
 check "encode: nothing else" test "$(wc -l <err)" -eq 1 -a ! -s out
 run encode -q -f grid.obj; silent "encode -q"
-run decode grid.clers; ends "decode" 0
-check "decode makes a ply" test -f grid.ply; rm grid.ply
+mv grid.obj kept.obj; run decode grid.clers; ends "decode" 0
+check "decode knows the format that was encoded" test -f grid.obj; mv kept.obj grid.obj
 run decode --to off grid.clers; ends "decode --to off" 0
 check "decode --to off" test -f grid.off
 mkdir sub; cp tetrahedron.obj sub/a.b.obj
@@ -21,6 +21,9 @@ run encode sub/a.b.obj; check "the last suffix is replaced" test -f sub/a.b.cler
 run encode grid.ply -f; ends "encode a ply" 0
 run decode -f grid.clers -o two/; ends "decode into a directory" 0
 check "a ply comes back as ply" test -f two/grid.ply
+"$clers" decode -q grid.clers -c --to ply --text >text.ply
+run encode -q text.ply; rm text.ply; run decode -q text.clers
+check "a text comes back as text" grep -q '^format ascii' text.ply
 cp grid.obj other.obj; run encode other.obj grid.obj -f; ends "several beside themselves" 0
 check "several beside themselves" test -f other.clers
 for level in 1 5 9; do
@@ -42,6 +45,7 @@ cp out stdout.clers
 run verify -q grid.obj stdout.clers; silent "what -c wrote"
 run encode -c grid.obj other.obj; ends "-c of several" 2 "several inputs cannot go to standard output"
 "$clers" decode - <grid.clers >out 2>err; status=$?; ends "decode -" 0
+check "decode - gives the format encoded" grep -q ^v out
 if command -v script >/dev/null; then
   on_terminal() { script -qec "'$clers' $*" /dev/null >terminal </dev/null; status=$?; }
   on_terminal encode -c grid.obj
@@ -73,13 +77,23 @@ run encode -k --rm gone.obj; ends "-k and --rm" 2 "excludes"
 run decode --rm --piece 0 grid.clers -o piece.obj; ends "--rm of a piece" 2 "a piece is not all"
 
 # ---- What is not carried
-run encode --strict lossy.obj -o x.clers; ends "encode --strict" 3 "lossy.obj: .*usemtl.*--strict"
+run encode --strict lossy.obj -o x.clers; ends "encode --strict" 3 "lossy.obj: .*(usemtl|material).*--strict"
 check "--strict makes nothing" test ! -e x.clers
 run encode --strict -q grid.obj -o strict.clers; silent "encode --strict of what is carried whole"
 run verify lossy.obj lossy.clers; ends "verify" 0
-check "verify names what is missing" grep -qE 'same as lossy.obj, but for .*usemtl.*: 1 mesh, 200 faces' out
-run verify --strict lossy.obj lossy.clers; ends "verify --strict" 1 "differs: .*usemtl"
+check "verify names what is missing" grep -qE 'same as lossy.obj, but for .*(usemtl|material).*: 1 mesh, 200 faces' out
+run verify --strict lossy.obj lossy.clers; ends "verify --strict" 1 "differs: .*(usemtl|material)"
 run verify --strict grid.obj strict.clers; ends "verify --strict of what is carried whole" 0
+
+# ---- What is said beside the mesh
+{ echo '# made by hand'; cat grid.obj; } >said.obj
+run encode --strict -q said.obj; silent "encode --strict of a file with comments"
+run verify --strict said.obj said.clers; ends "verify --strict of a file with comments" 0
+run info said.clers; check "info has the comment" grep -q 'made by hand' out
+run info --json said.clers; check "info --json has it" grep -q '"value": ".*made by hand"' out
+run verify grid.obj said.clers; ends "verify, another comment" 0
+check "which is said" grep -q "same as grid.obj, but for metadata" out
+run verify --strict grid.obj said.clers; ends "verify --strict, another comment" 1 "differs: metadata"
 
 # ---- Several files
 run info grid.clers other.clers; ends "info of several" 0
