@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <system_error>
 
 #include "codec/cli/printable.h"
 
@@ -39,7 +40,11 @@ double seconds(std::chrono::steady_clock::duration d) {
 
 Progress::Progress(std::string subject, std::span<const Stage> plan, bool wanted)
     : subject_(printable(subject)), plan_(plan), start_(Clock::now()) {
-  if (wanted && draws_on_stderr()) drawer_ = std::thread([this] { draw_until_stopped(); });
+  if (!wanted || !draws_on_stderr()) return;
+  try {
+    drawer_ = std::thread([this] { draw_until_stopped(); });
+  } catch (const std::system_error&) {  // no thread to be had: no bar either
+  }
 }
 
 Progress::~Progress() {

@@ -150,6 +150,13 @@ if [ "$(id -u)" -eq 0 ] && command -v setpriv >/dev/null; then
   as_nobody encode private/x.obj -c; ends "no permission to read" 3 "private/x.obj: Permission denied"
   as_nobody encode --from obj private/x -c; ends "no permission to look" 3 "private/x: Permission denied"
 fi
+if command -v strace >/dev/null && ! grep -q __asan_init "$clers"; then
+  timeout 20 strace -f -o /dev/null -e trace=write -e inject=write:retval=0:when=1 \
+    "$clers" encode -c grid.obj >out 2>err; status=$?
+  ends "a write of nothing" 5 "standard output: Input/output error"
+else
+  echo "not tested: a write of nothing (needs strace)"
+fi
 no_leftovers "outputs"
 
 # ---- Names from strangers
