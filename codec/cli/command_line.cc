@@ -68,7 +68,7 @@ class Help : public CLI::Formatter {
   Help() {
     column_width(left);
     label("SUBCOMMAND", "COMMAND");
-    label("Positionals", "Files");
+    label("Positionals", "Arguments");
   }
   std::string make_option(const CLI::Option* option, bool positional) const override {
     return row(make_option_name(option, positional) + make_option_opts(option),
@@ -289,9 +289,9 @@ class CommandLine {
   void add_subdivide() {
     CLI::App& subdivide =
         add("subdivide", cli::subdivide, "Subdivide mesh files towards a smooth surface",
-            "loop makes 4 triangles of one, sqrt3 makes 3; 4-8 first pairs triangles and halves\n"
-            "them, and then makes 2 of one. The number of components, boundary curves and\n"
-            "handles stays. Polygons and non-manifold meshes are refused.\n\n"
+            "loop makes 4 triangles of one, sqrt3 makes 3; 4-8 first pairs triangles and\n"
+            "halves them, and then makes 2 of one. The number of components, boundary curves\n"
+            "and handles stays. Polygons and non-manifold meshes are refused.\n\n"
             "Examples:\n"
             "  clers subdivide bunny.ply -o smooth.ply --scheme loop\n"
             "  clers subdivide bunny.ply -o finer.obj --scheme sqrt3 --times 2\n"
@@ -536,7 +536,7 @@ class CommandLine {
   }
 
   Exit explain() {
-    if (topic_.empty()) return say(app_.help("", CLI::AppFormatMode::All));
+    if (topic_.empty()) return say(CommandLine().app_.help());  // of one that parsed no command
     const auto subs =
         app_.get_subcommands([this](const CLI::App* sub) { return sub->get_name() == topic_; });
     return subs.empty() ? usage(unknown_command(topic_)) : say(subs.front()->help("clers"));

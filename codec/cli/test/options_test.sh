@@ -8,6 +8,14 @@ touch err
 commands=$("$clers" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p')
 check "help names the commands" test "$(echo $commands)" = "encode decode info verify check subdivide help"
 
+run --help; mv out asked; run help
+check "clers help is clers --help" cmp -s asked out
+for command in $commands; do
+  run $command --help; mv out asked; run help $command
+  check "clers help $command is clers $command --help" cmp -s asked out
+  check "its lines fit 80 columns" eval '! grep -E "^.{81}" out'
+done
+
 # Options of a command as its help has them, the names of one option on a line: "-o --output".
 groups() {
   "$clers" $1 --help | sed -n '/^Options:/,/^$/s/^  \(-[^ ]*\).*/\1/p' | tr , ' ' |
