@@ -12,12 +12,26 @@
 
 namespace clers {
 
+/// How half-edges lie on edges.
+struct Adjacency {
+  std::vector<HalfEdge> twins;  ///< null on boundaries and at defective edges
+  /// Edges of more than two faces, and those of two that run along them the same way: the sides of
+  /// one edge together and in file order, edges by their first sides. Edge i has those from
+  /// ends[i - 1] to ends[i].
+  std::vector<std::uint32_t> sides, ends;
+};
+
+/// Precondition: every face has three corners or more and repeats no vertex, and vertices are below
+/// vertex_count. Cost: linear, but for a sort of the sides of defective edges and of edges whose
+/// smaller vertex has more than eight to larger ones; 64 bytes a vertex besides the result, or 8 a
+/// corner where most vertices are isolated. Throws std::bad_alloc only.
+Adjacency match_edges(const Faces& faces, std::uint32_t vertex_count);
+
 /// Twins of the half-edges of faces, null on their boundary.
 /// Errors name the first face, in file order, that keeps its edges from being those of an oriented
 /// manifold: nonmanifold_edge, nonorientable (an edge that two faces run along in the same
 /// direction). Vertices are not looked at: see vertex_of_several_fans.
-/// Precondition: every face has three corners or more and repeats no vertex, and vertices are below
-/// vertex_count. Cost: linear; 64 bytes a vertex besides the result. Throws std::bad_alloc only.
+/// Precondition and cost: as above.
 Expected<std::vector<HalfEdge>> find_twins(const Faces& faces, std::uint32_t vertex_count);
 
 /// The first vertex, in the order of the faces, whose corners form more than one fan: a

@@ -12,8 +12,7 @@
 
 namespace clers {
 
-/// The answers that a decoder will need, in the order in which it asks, told to a stream. A curve
-/// that was split off and never joined is a hole.
+/// The answers that a decoder will need, in the order in which it asks, told to a stream.
 class Answers {
   const Event& event() const { return events_[next_]; }
 
@@ -26,13 +25,10 @@ class Answers {
   }
 
  public:
-  static constexpr bool resolves = false;
+  static constexpr bool knows_vertices = false;
 
-  Answers(const std::vector<Event>& events, std::uint32_t curves, rans::Encoder& out)
-      : events_(events), joined_(curves), coder_(out), out_(out) {
-    for (const Event& e : events)
-      if (e.kind == Event::Kind::join) joined_[e.curve] = true;
-  }
+  Answers(const std::vector<Event>& events, rans::Encoder& out)
+      : events_(events), coder_(out), out_(out) {}
 
   /// The next letter is about to be told.
   void letter_begins() { letter_ = out_.intervals().size(); }
@@ -44,13 +40,14 @@ class Answers {
         case Event::Kind::new_component: new_component(event().two_edges); break;
         case Event::Kind::closed: closed(); break;
         case Event::Kind::special: special(); break;
+        case Event::Kind::hole:
         case Event::Kind::split:
         case Event::Kind::join:
-          switch (kind()) {
+          switch (kind(waiting_ > 0)) {
             case SpecialS::hole: hole_length(); break;
             case SpecialS::split: split_distance(event().length); break;
             case SpecialS::join:
-              join_curve(static_cast<std::uint32_t>(waiting_.size()));
+              join_curve(waiting_);
               join_position(event().length);
               break;
           }
@@ -73,56 +70,44 @@ class Answers {
   }
   void component_ended() {}
   bool special() { return model_.special(coder_, events_[next_++].value); }
-  SpecialS kind() {
+  SpecialS kind(bool any_waiting) {
     return count_special(letter_, [&] {
-      const SpecialS kind = event().kind == Event::Kind::join ? SpecialS::join
-                            : joined_[event().curve]          ? SpecialS::split
-                                                              : SpecialS::hole;
-      return model_.kind(coder_, !waiting_.empty(), kind);
+      const SpecialS kind = event().kind == Event::Kind::join    ? SpecialS::join
+                            : event().kind == Event::Kind::split ? SpecialS::split
+                                                                 : SpecialS::hole;
+      return model_.kind(coder_, any_waiting, kind);
     });
   }
   std::uint64_t hole_length() {
     return count_special(out_.intervals().size(), [&] {
-      const Event& e = events_[next_++];
       ++holes;
-      steps += e.distance;
-      return model_.hole_length(coder_, e.distance);
+      return model_.hole_length(coder_, events_[next_++].distance);
     });
   }
   std::uint64_t split_distance(std::uint64_t n) {
     return count_special(out_.intervals().size(), [&] {
-      const Event& e = events_[next_++];
-      waiting_.push_back(e.curve);
-      steps += n + e.distance;
-      return model_.split_distance(coder_, n, e.distance);
+      ++waiting_;
+      return model_.split_distance(coder_, n, events_[next_++].distance);
     });
   }
   std::uint32_t join_curve(std::uint32_t waiting) {
-    return count_special(out_.intervals().size(), [&] {
-      std::size_t w = waiting_.size() - 1;
-      while (waiting_[w] != event().curve) --w;
-      const std::size_t recency = waiting_.size() - 1 - w;
-      waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(w));
-      return model_.join_curve(coder_, waiting, static_cast<std::uint32_t>(recency));
-    });
+    return count_special(out_.intervals().size(),
+                         [&] { return model_.join_curve(coder_, waiting, event().recency); });
   }
   std::uint32_t join_position(std::uint32_t n) {
     return count_special(out_.intervals().size(), [&] {
-      const Event& e = events_[next_++];
       ++handles;
-      steps += 2 * std::uint64_t(n);
-      return model_.join_position(coder_, n, e.distance);
+      --waiting_;
+      return model_.join_position(coder_, n, events_[next_++].distance);
     });
   }
 
   std::uint64_t handles = 0, holes = 0, closed_components = 0;
-  std::uint64_t steps = 0;         ///< that decoding takes along boundary curves
   std::uint64_t special_cost = 0;  ///< of holes and handles with their letters, in 1/256 bits
 
  private:
   const std::vector<Event>& events_;
-  std::vector<bool> joined_;
-  std::vector<std::uint32_t> waiting_;
+  std::uint32_t waiting_ = 0;  ///< curves split off for a handle and not joined yet
   EncodeTo coder_;
   rans::Encoder& out_;
   EventModel model_;

@@ -51,6 +51,10 @@ void restore(std::span<const std::byte> planes, const AttributeHeader& header, s
     for (std::size_t i = 0; i < count * components; ++i) keys.set(i, from_ordered(keys[i]));
 }
 
+std::string unlike(std::uint64_t size, std::uint64_t expected) {
+  return "the values take " + std::to_string(size) + " bytes, expected " + std::to_string(expected);
+}
+
 }  // namespace
 
 Expected<AttributeHeader> read_attribute_header(std::span<const std::byte> bytes,
@@ -102,6 +106,9 @@ Expected<Done> check_values(std::span<const std::byte> bytes, std::uint64_t at,
   if (frame != packed.size())
     return invalid(
         frame, std::to_string(packed.size() - frame) + " bytes after the zstd frame of the values");
+  const unsigned long long content = ZSTD_getFrameContentSize(packed.data(), packed.size());
+  if (content != ZSTD_CONTENTSIZE_UNKNOWN && content != size)
+    return invalid(0, unlike(content, size));
   return Done{};
 }
 
@@ -121,9 +128,7 @@ Expected<Attribute> decode_attribute(std::span<const std::byte> bytes, std::uint
   const std::size_t got =
       zstd_result(ZSTD_decompress(planes.data(), planes.size(), packed.data(), packed.size()));
   if (ZSTD_isError(got)) return invalid(std::string("zstd: ") + ZSTD_getErrorName(got));
-  if (got != size)
-    return invalid("the values take " + std::to_string(got) + " bytes, expected " +
-                   std::to_string(size));
+  if (got != size) return invalid(unlike(got, size));
   Attribute attribute = header.attribute;
   attribute.data.resize(planes.size());
   with_word(attribute.scalar, [&](auto word) {

@@ -46,22 +46,10 @@ class Budget {
     used_ += bytes;
     return Done{};
   }
-  void give_back(std::uint64_t bytes) { used_ -= bytes; }
 
  private:
   std::uint64_t limit_, used_ = 0;
 };
-
-/// Room for one element more, to be called before each push_back. Error: limit.
-template <class T>
-Expected<Done> grow(std::vector<T>& v, Budget& budget) {
-  if (v.size() < v.capacity()) return Done{};
-  const std::size_t before = v.capacity(), after = std::max<std::size_t>(1, 2 * before);
-  if (auto ok = budget.take(after * sizeof(T)); !ok) return ok;  // both are there while it moves
-  v.reserve(after);
-  budget.give_back(before * sizeof(T));
-  return Done{};
-}
 
 /// How many workers, of those that are asked for (0: one a core), may take items that need `bytes`
 /// each while `left` bytes are: at least 1.

@@ -12,7 +12,7 @@ namespace {
 /// told in which context.
 class RecordingSource {
  public:
-  static constexpr bool resolves = true;
+  static constexpr bool knows_vertices = true;
 
   RecordingSource(const Traversal& traversal, const Building& building)
       : traversal_(traversal),
@@ -26,7 +26,7 @@ class RecordingSource {
       index_of_face_.resize(faces_);
       for (std::uint32_t i = 0; i < faces_; ++i)
         index_of_face_[left(traversal.gates[i]).index()] = i;
-      curve_of_.resize(building.links.size(), no_curve);
+      curve_of_.resize(building.links.size());
     }
   }
 
@@ -48,9 +48,17 @@ class RecordingSource {
     record.events.push_back({done(), Event::Kind::closed, value});
     return value;
   }
-  void component_ended() {
-    --next_start_;
+  void component_ended() { --next_start_; }
+  /// Holes are the curves that no S joined.
+  bool nothing_waits(std::vector<std::uint32_t>& holes) {
+    holes.clear();
+    for (const Waiting& w : waiting_) {
+      holes.push_back(w.vertex);
+      record.events[w.event].kind = Event::Kind::hole;
+      record.events[w.event].length = 0;
+    }
     waiting_.clear();
+    return true;
   }
 
   bool special() {
@@ -59,52 +67,56 @@ class RecordingSource {
     return value;
   }
 
-  /// Finds the edge that the S glues to: on the gate's own curve, or on one split off before.
-  template <class Front, class Gate>
-  SpecialS kind(const Front& front, const Gate& gate, std::span<const std::uint32_t> waiting) {
-    const Traversal::Special s = traversal_.specials[--next_special_];
-    const FrontLink* links = building_.links.data();
-    const std::uint32_t q = vertex_at(s.left);
+  /// Finds the edge that the S glues to: on a curve split off before, or on the gate's own.
+  SpecialVertex special_vertex(std::uint32_t x, std::uint32_t y) {
+    const FrontLink* const links = building_.links.data();
+    const std::uint32_t q = vertex_at(traversal_.specials[--next_special_].left);
     const std::uint32_t curve = curve_of_[q];
     for (std::size_t w = waiting_.size(); w-- > 0;) {
-      if (waiting_[w] != curve) continue;
-      recency_ = static_cast<std::uint32_t>(waiting_.size() - 1 - w);
+      if (waiting_[w].number != curve) continue;
+      Event e{done(), Event::Kind::join};
+      for (std::uint32_t v = waiting_[w].vertex; v != q; v = links[v].prev) ++e.distance;
+      e.length = 1;
+      for (std::uint32_t v = links[q].prev; v != q; v = links[v].prev) ++e.length;
       waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(w));
-      position_ = 0;
-      for (std::uint32_t v = waiting[w]; v != q; v = links[v].prev) ++position_;
-      record.events.push_back({done(), Event::Kind::join, false, false, curve, position_, 0});
-      return SpecialS::join;
+      curves_.push_back(curve);
+      record.events.push_back(e);
+      return {true, SpecialS::join, q};
     }
-    const std::uint32_t number = record.curves++;
-    distance_ = 0;
-    for (std::uint32_t v = gate.x; v != q || distance_ == 0;) {
-      // Not there: the vertex was marked from another fan of its corners.
-      if (v == gate.y) return SpecialS::hole;
-      v = front.prev(v);
+    const std::uint32_t number = ++split_off_;
+    Event e{done(), Event::Kind::split};
+    for (std::uint32_t v = x; v != q || e.distance == 0;) {
+      if (v == y) return {};  // not there: the vertex was marked from another fan of its corners
+      v = links[v].prev;
       curve_of_[v] = number;
-      ++distance_;
+      ++e.distance;
     }
-    waiting_.push_back(number);
-    record.events.push_back({done(), Event::Kind::split, false, false, number, distance_, 0});
-    return SpecialS::split;
+    e.length = 2;  // edges: x to y backwards, and the gate
+    for (std::uint32_t v = links[x].prev; v != y; v = links[v].prev) ++e.length;
+    waiting_.push_back({number, q, record.events.size()});
+    curves_.push_back(number);
+    record.events.push_back(e);
+    return {true, SpecialS::split, q};
   }
-  /// Holes show at the component's end. Asked for one before, no length is right.
-  std::uint64_t hole_length() { return 0; }
-  std::uint64_t split_distance(std::uint64_t n) {
-    record.events.back().length = static_cast<std::uint32_t>(n);
-    return distance_;
-  }
-  std::uint32_t join_curve(std::uint32_t) { return recency_; }
-  std::uint32_t join_position(std::uint32_t n) {
-    record.events.back().length = n;
-    return position_;
+
+  /// How recent the curves were that were joined, among those that were to be joined.
+  void tell_recency() {
+    std::vector<std::uint32_t> waiting;
+    std::size_t next = 0;
+    for (Event& e : record.events) {
+      if (e.kind < Event::Kind::hole) continue;
+      const std::uint32_t curve = curves_[next++];
+      if (e.kind == Event::Kind::split) waiting.push_back(curve);
+      if (e.kind != Event::Kind::join) continue;
+      const auto at = std::find(waiting.begin(), waiting.end(), curve);
+      e.recency = static_cast<std::uint32_t>(waiting.end() - at) - 1;
+      waiting.erase(at);
+    }
   }
 
   Record record;
 
  private:
-  static constexpr std::uint32_t no_curve = 0xffffffffu;
-
   void step(std::uint32_t kx) {
     --index_;
     record.contexts[done()] =
@@ -132,10 +144,14 @@ class RecordingSource {
   std::uint32_t index_;  ///< in the traversal, of the current letter
   std::size_t next_start_, next_special_;
   std::vector<std::uint32_t> index_of_face_;
-  std::vector<std::uint32_t> curve_of_;  ///< last curve that a vertex was split off with
-  std::vector<std::uint32_t>
-      waiting_;  ///< numbers of the curves that are split off, as in the driver
-  std::uint32_t recency_ = 0, position_ = 0, distance_ = 0;
+  std::vector<std::uint32_t> curve_of_;  ///< last curve that a vertex was split off with, from 1
+  struct Waiting {
+    std::uint32_t number, vertex;
+    std::size_t event;
+  };
+  std::vector<Waiting> waiting_;       ///< curves that are split off: for handles, and holes
+  std::vector<std::uint32_t> curves_;  ///< numbers of the curves of hole, split and join
+  std::uint32_t split_off_ = 0;
 };
 
 }  // namespace
@@ -172,12 +188,7 @@ std::optional<Record> built_record(std::span<const std::uint32_t> org, std::uint
     if (numbered[v]) return std::nullopt;
     numbered[v] = true;
   }
-  // Only now is it known which curves no S joined, and lengths are told of the others.
-  std::vector<bool> joined(source.record.curves);
-  for (const Event& e : source.record.events)
-    if (e.kind == Event::Kind::join) joined[e.curve] = true;
-  for (Event& e : source.record.events)
-    if (e.kind == Event::Kind::split && !joined[e.curve]) e.length = 0;
+  source.tell_recency();
   return std::move(source.record);
 }
 

@@ -50,7 +50,8 @@ class Tree {
  public:
   Tree(const Places& places, std::uint32_t vertex_count, std::uint32_t pieces, std::uint32_t each)
       : places_(places), each_(each) {
-    const std::uint32_t leaves = pieces * each;
+    const std::uint32_t leaves = static_cast<std::uint32_t>(
+        std::min(std::uint64_t(pieces), 0xffffffffu / std::uint64_t(each)) * each);
     // 32 vertices a leaf, and some 2^14 in all, tell well enough where the middle is.
     const std::uint64_t enough = std::max<std::uint64_t>(1u << 14, 32 * std::uint64_t(leaves));
     unsigned shift = 0;  // one vertex in 2^shift is chosen
@@ -224,7 +225,9 @@ std::uint64_t Places::distance(std::uint32_t low, std::uint32_t high) const {
 std::vector<std::uint32_t> cells_of(const Places& places, const Faces& faces,
                                     std::uint32_t vertex_count, std::uint32_t pieces,
                                     std::uint32_t each, unsigned threads) {
-  if (places.axes() == 0) return grown(faces, vertex_count, vertex_count / (pieces * each) + 1);
+  if (places.axes() == 0)
+    return grown(faces, vertex_count,
+                 static_cast<std::uint32_t>(vertex_count / (std::uint64_t(pieces) * each)) + 1);
   const Tree tree(places, vertex_count, pieces, each);
   std::vector<std::uint32_t> cell(vertex_count);
   constexpr std::uint32_t block = 1u << 16;

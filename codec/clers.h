@@ -42,12 +42,6 @@ enum class SpecialS : std::uint8_t {
   join = 2,   ///< joins a curve split off before: the other end (1c)
 };
 
-/// Steps along boundary curves that special S may take in all, so that no stream costs more than a
-/// constant times its faces.
-constexpr std::uint64_t allowed_steps(std::uint64_t faces) {
-  return 1024 + 1024 * faces;
-}
-
 }  // namespace clers
 
 #endif

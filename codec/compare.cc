@@ -42,17 +42,18 @@ std::string two_counts(const char* what, std::uint64_t a, std::uint64_t b) {
   return std::string(what) + ": " + std::to_string(a) + " and " + std::to_string(b);
 }
 
-/// Steps 1 and 2: colours both until they differ, or fills `image` with the only bijection that
-/// there can be, or little more would be learned. Rounds are free for small meshes and few for
-/// large ones, which the search serves better than a round for every ring of faces.
-std::optional<std::string> colour(Comparand& a, Comparand& b, std::vector<Index>& image) {
+/// Steps 1 and 2: colours both until they differ, or each colour is alone, or a round learns
+/// little, which cells serve better than a round for every ring of faces. `image` becomes a
+/// bijection that keeps colours, the only one if it is `forced`.
+std::optional<std::string> colour(Comparand& a, Comparand& b, std::vector<Index>& image,
+                                  bool& forced) {
   constexpr std::uint64_t enough = 1u << 24;  // corners and vertices
   Classes vertices_a = classes(a.colour), vertices_b = classes(b.colour);
   if (auto what = histograms_differ(vertices_a, vertices_b, "vertex", "the same values"))
     return what;
   std::size_t count = count_classes(vertices_a), before = 0;
   for (std::uint64_t effort = 0;
-       count < vertices_a.size() && effort <= enough && (before == 0 || before < count);) {
+       count < vertices_a.size() && effort <= enough && before + before / 8 < count;) {
     effort += a.corners() + a.vertices();
     refine(a);
     refine(b);
@@ -63,30 +64,30 @@ std::optional<std::string> colour(Comparand& a, Comparand& b, std::vector<Index>
       return what;
     before = std::exchange(count, count_classes(vertices_a));
   }
-  if (count < vertices_a.size()) return std::nullopt;
-  image.resize(count);
-  for (std::size_t i = 0; i < count; ++i) image[vertices_a[i].second] = vertices_b[i].second;
+  forced = count == vertices_a.size();
+  image.resize(vertices_a.size());
+  for (std::size_t i = 0; i < image.size(); ++i) image[vertices_a[i].second] = vertices_b[i].second;
   return std::nullopt;
 }
 
 /// What neither colours nor the order of attributes tell apart.
 Comparison compare_structure(Comparand& first, Comparand& second) {
   std::vector<Index> image;
-  if (auto what = colour(first, second, image)) return differ(std::move(*what));
-  if (image.size() == first.vertices()) {
-    // Colours are the same and each is alone: no other bijection can be.
-    if (auto what = renumbering_fails(first, second, image)) return differ(std::move(*what));
-    return {Verdict::same, {}};
-  }
+  bool forced = false;
+  if (auto what = colour(first, second, image, forced)) return differ(std::move(*what));
+  // Often any vertex of a class will do: pages of a book, vertices that no face uses.
+  auto what = renumbering_fails(first, second, image);
+  if (!what) return {Verdict::same, {}};
+  if (forced) return differ(std::move(*what));
 
   const Classes faces_a = classes(face_colours(first)), faces_b = classes(face_colours(second));
-  if (auto what = histograms_differ(faces_a, faces_b, "face", "the same values and neighbourhood"))
+  if (what = histograms_differ(faces_a, faces_b, "face", "the same values and neighbourhood"); what)
     return differ(std::move(*what));
   const Side a(first, faces_a), b(second, faces_b);
   Comparison result = pair_by_cells(a, b, image);
   if (result.verdict == Verdict::undecided) result = pair_components(a, b, image);
   if (result.verdict != Verdict::same) return result;
-  if (auto what = renumbering_fails(first, second, image))
+  if (what = renumbering_fails(first, second, image); what)
     return {Verdict::undecided, std::move(*what)};  // colours collided
   return result;
 }

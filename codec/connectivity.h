@@ -41,8 +41,8 @@ struct EncodedConnectivity {
 };
 
 /// Encodes a surface; its twins are consumed. Errors: nonmanifold_vertex (without saying which: to
-/// look beforehand would cost every mesh a fifth of its time), limit (handles that would cost a
-/// decoder more steps than the format allows), out_of_memory.
+/// look beforehand would cost every mesh a fifth of its time), out_of_memory. Cost: linear, and
+/// O(log n) amortised for each handle.
 Expected<EncodedConnectivity> encode_connectivity(SurfaceArrays surface, int level);
 
 /// The same bytes, with every operator run on a full surface too and the surface validated; `trace`

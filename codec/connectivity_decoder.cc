@@ -27,14 +27,12 @@ const char* explain(Broken broken) {
     case Broken::waiting_curve: return "a handle with one end";
     case Broken::gate_left: return "parts that no S joins";
     case Broken::vertex_count: return "fewer vertices than declared";
-    case Broken::work: return "more steps along boundary curves than allowed";
   }
   return "";
 }
 
 Failure<Error> broken_stream(Breakage b) {
-  const ErrorCode code = b.broken == Broken::work ? ErrorCode::limit : ErrorCode::invalid;
-  return fail(code, Place::symbol, b.symbol, explain(b.broken));
+  return fail(ErrorCode::invalid, Place::symbol, b.symbol, explain(b.broken));
 }
 
 bool repeats_a_vertex(std::span<const std::uint32_t> corners) {

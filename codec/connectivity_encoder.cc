@@ -9,6 +9,7 @@
 #include "codec/choose_model.h"
 #include "codec/connectivity.h"
 #include "codec/mixing_model.h"
+#include "codec/place_handles.h"
 #include "codec/prefix_code.h"
 #include "codec/rans.h"
 #include "codec/record.h"
@@ -26,7 +27,7 @@ static_assert(Traversal::max_valence == ContextTables::max_valence);
 class TellingSource : public Answers {
  public:
   TellingSource(const Record& record, std::size_t ids, rans::Encoder& out)
-      : Answers(record.events, record.curves, out),
+      : Answers(record.events, out),
         contexts_(record.contexts),
         coder_(out),
         model_(contexts_.size(), ids) {}
@@ -38,10 +39,6 @@ class TellingSource : public Answers {
     const Clers letter = static_cast<Clers>(contexts_[next_++] & 7);
     model_.code(coder_, front, gate, aside, letter);
     return with_letter(letter, then);
-  }
-  template <class Front, class Gate>
-  SpecialS kind(const Front&, const Gate&, std::span<const std::uint32_t>) {
-    return Answers::kind();
   }
 
  private:
@@ -55,7 +52,7 @@ class TellingSource : public Answers {
 struct Told {
   LetterModel model;
   Bytes bytes;
-  std::uint64_t handles = 0, holes = 0, closed_components = 0, steps = 0, special_cost = 0;
+  std::uint64_t handles = 0, holes = 0, closed_components = 0, special_cost = 0;
 };
 
 /// Tells the letters and answers with a model.
@@ -67,7 +64,6 @@ Told tell(LetterModel model, const Record& record, std::size_t ids) {
     told.handles = answers.handles;
     told.holes = answers.holes;
     told.closed_components = answers.closed_components;
-    told.steps = answers.steps;
     told.special_cost = answers.special_cost;
     stream.finish(told.bytes);
   };
@@ -80,14 +76,11 @@ Told tell(LetterModel model, const Record& record, std::size_t ids) {
     building.links = links;
     NoPairing none;
     TellingSource source(record, ids, stream);
-    const Breakage breakage =
-        SpiraleReversi<NoPairing, TellingSource>(building, none, source).run();
+    SpiraleReversi<NoPairing, TellingSource>(building, none, source).run();
     finish(source);
-    // It took more steps than a decoder may.
-    if (breakage.broken != Broken::none) told.steps = ~std::uint64_t(0);
     return told;
   }
-  Answers answers(record.events, record.curves, stream);
+  Answers answers(record.events, stream);
   // put(letter, valence) for each, and the answers where they are asked for.
   const auto tell_all = [&](auto put) {
     const std::uint8_t* const contexts = record.contexts.data();
@@ -128,6 +121,22 @@ Told tell(LetterModel model, const Record& record, std::size_t ids) {
   return told;
 }
 
+/// Tells with the model of a level, or of a lower one where that takes fewer bytes: the more a
+/// model has to learn, the less it pays where there is little to learn from, or little to say. So
+/// no level is larger than those below. To look costs half as much again, and is done where it may
+/// matter.
+Told tell_briefly(const Record& record, int level, std::size_t ids) {
+  using Kind = LetterModel::Kind;
+  const LetterModel model = choose_model(record.contexts, level);
+  Told told = tell(model, record, ids);
+  const bool little = told.bytes.size() < record.contexts.size() * 3 / 64;
+  if (model.kind == Kind::mixing || (level >= 5 && little)) {
+    Told simpler = tell_briefly(record, model.kind == Kind::mixing ? 5 : 3, ids);
+    if (simpler.bytes.size() < told.bytes.size()) return simpler;
+  }
+  return told;
+}
+
 void put_header(Bytes& out, std::uint32_t faces, std::uint32_t vertices, std::uint32_t merges,
                 LetterModel model) {
   put_varint(out, faces);
@@ -136,14 +145,6 @@ void put_header(Bytes& out, std::uint32_t faces, std::uint32_t vertices, std::ui
   while (room_for_merges(room) < merges) ++room;
   put_u8(out, room);
   put_u8(out, model.byte());
-}
-
-Failure<Error> failure(Traversal::Trouble trouble) {
-  if (trouble == Traversal::Trouble::several_fans)  // a surface has a vertex for each
-    return fail(ErrorCode::nonmanifold_vertex, "the faces of a vertex form more than one fan");
-  return fail(ErrorCode::limit,
-              "the handles of this mesh are so long that decoding would take more than the "
-              "format's 1024 steps a face");
 }
 
 template <class Witness>
@@ -182,7 +183,10 @@ Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorT
   const bool valences = on_full_surface || level >= 3;
   Traversal traversal = valences ? Edgebreaker<Witness, true>(surface, witness).run()
                                  : Edgebreaker<Witness, false>(surface, witness).run();
-  if (traversal.trouble != Traversal::Trouble::none) return failure(traversal.trouble);
+  if (traversal.trouble == Traversal::Trouble::several_fans)  // a surface has a vertex for each
+    return fail(ErrorCode::nonmanifold_vertex, "the faces of a vertex form more than one fan");
+  if (traversal.handles && !place_handles(traversal))
+    return fail(ErrorCode::internal, "handles that are not where they were");
 
   std::optional<Record> built;
   if constexpr (on_full_surface) {
@@ -201,14 +205,7 @@ Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorT
   const auto ids =
       static_cast<std::size_t>(count(Clers::R) + count(Clers::L) + 3 * count(Clers::E));
 
-  const LetterModel chosen = choose_model(record.contexts, level);
-  Told told = tell(chosen, record, ids);
-  // The most thorough model does not pay for the smallest meshes.
-  if (chosen.kind == LetterModel::Kind::mixing) {
-    Told other = tell(choose_model(record.contexts, level - 1), record, ids);
-    if (other.bytes.size() < told.bytes.size()) told = std::move(other);
-  }
-  if (told.steps > allowed_steps(faces)) return failure(Traversal::Trouble::long_handles);
+  const Told told = tell_briefly(record, level, ids);
   put_header(result.bytes, faces, static_cast<std::uint32_t>(record.vertices.size()),
              static_cast<std::uint32_t>(count(Clers::S)), told.model);
   put_bytes(result.bytes, told.bytes);

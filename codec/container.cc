@@ -64,6 +64,20 @@ Expected<Done> ContainerReader::open() {
   return Done{};
 }
 
+ContainerReader::Tally ContainerReader::tally() const {
+  Tally tally;
+  for (ByteReader in = in_; in.left() > 0;) {
+    const std::uint32_t kind = in.u8();
+    const std::uint64_t size = in.varint();
+    in.take(size);
+    in.take(sizeof(std::uint32_t));
+    if (!in.ok() || kind >= tally.sections.size()) break;
+    ++tally.sections[kind];
+    tally.bytes[kind] += size;
+  }
+  return tally;
+}
+
 Expected<Section> ContainerReader::next() {
   const std::size_t start = in_.position();
   const std::uint32_t kind = in_.u8();

@@ -3,6 +3,7 @@
 #ifndef CLERS_CODEC_CONTAINER_H
 #define CLERS_CODEC_CONTAINER_H
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -57,6 +58,15 @@ class ContainerReader {
   /// The next section, checked against its checksum; the end section once, at the end.
   /// Errors: truncated, corrupt, invalid (an unknown kind), trailing_bytes.
   Expected<Section> next();
+
+  /// How many sections of a kind are still to come and how long their payloads are, as far as their
+  /// lengths lead; nothing else of them is checked. Precondition: open().
+  struct Tally {
+    std::array<std::uint64_t, static_cast<std::size_t>(SectionKind::seam) + 1> sections{}, bytes{};
+    std::uint64_t count(SectionKind k) const { return sections[static_cast<std::size_t>(k)]; }
+    std::uint64_t size(SectionKind k) const { return bytes[static_cast<std::size_t>(k)]; }
+  };
+  Tally tally() const;
 
   /// What the end section says. Precondition: next() gave it.
   std::uint64_t meshes() const { return meshes_; }

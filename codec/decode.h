@@ -25,10 +25,12 @@ struct DecodeOptions {
 
 /// Decodes a .clers file. Trusts nothing: every index of a returned mesh is below its vertex_count,
 /// counts are checked against the bytes that remain and the limits before allocation, and what is
-/// wrong with the bytes is a named error with the byte offset.
-/// Errors: not_clers, unsupported_version, truncated, trailing_bytes, corrupt, invalid, limit,
-/// out_of_memory.
-/// Cost: linear in the faces. Thread safe: calls share nothing.
+/// wrong with the bytes is a named error with the byte offset. A file that needs more memory than
+/// the limit is refused before any is taken; how much that is depends on what headers say alone,
+/// not on threads, of which only as many work as there is memory for. Errors: not_clers,
+/// unsupported_version, truncated, trailing_bytes, corrupt, invalid, limit, out_of_memory. Throws
+/// nothing, but passes on what `progress` throws (as out_of_memory, if that is std::bad_alloc).
+/// Cost: linear in the faces, and O(log n) for each handle. Thread safe: calls share nothing.
 Expected<std::vector<Mesh>> decode(std::span<const std::byte> bytes,
                                    const DecodeOptions& options = {});
 
@@ -51,8 +53,10 @@ struct Piece {
 
 /// Decodes a file piece by piece, which `take` receives in their order: as decode, but no more than
 /// one is in memory. Numbers are those of the whole mesh as it is decoded without the order of its
-/// file: that of a mesh in pieces is not restored. One thread works. Errors: those of decode, some
-/// of them when pieces were taken already.
+/// file: that of a mesh in pieces is not restored. One thread works. The limit of memory is for one
+/// piece and what comes with it; pieces taken are the caller's. Errors: those of decode, some of
+/// them when pieces were taken already; bad_option if `take` is empty. What `take` throws passes
+/// through, as what `progress` throws.
 Expected<Done> decode_pieces(std::span<const std::byte> bytes,
                              const std::function<void(Piece)>& take,
                              const DecodeOptions& options = {});
@@ -67,7 +71,8 @@ struct MeshSizes {
   std::uint64_t vertices = 0, faces = 0, corners = 0, pieces = 1;
 };
 
-/// Sizes of the meshes of a file. Checks it as far as decode does before it allocates.
+/// Sizes of the meshes of a file. Checks it as far as decode does before it allocates, limits
+/// included. Errors: those of decode.
 Expected<std::vector<MeshSizes>> sizes(std::span<const std::byte> bytes, const Limits& limits = {});
 
 /// Decodes the faces of a file of one mesh, all of them triangles, into memory of the caller.

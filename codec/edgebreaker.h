@@ -8,7 +8,6 @@
 #include <span>
 #include <vector>
 
-#include "codec/aside_curves.h"
 #include "codec/clers.h"
 #include "topology/unbuild.h"
 
@@ -29,11 +28,15 @@ struct Traversal {
   struct Special {
     std::uint32_t index;  ///< of the S in `gates`
     HalfEdge left;        ///< the boundary edge that its left side is glued to
-    SpecialS kind;
-    std::uint32_t curve;  ///< split, join: which; the same for both ends of a handle
-    /// hole, split: edges of the curve. join: edges from the end of `left` to the vertex of the
+    /// Not of holes: the face of `left` was the i-th, its gate at corner c; this is half_edge(i,
+    /// c).
+    HalfEdge visited;
+    SpecialS kind;  ///< of ends of handles Edgebreaker does not know which: place_handles.h
+    /// hole: its edges. split: edges back from the gate. join: edges back from the vertex of the
     /// split.
-    std::uint32_t distance;
+    std::uint32_t distance = 0;
+    std::uint32_t length = 0;   ///< split, join: edges of the curve that distance is counted on
+    std::uint32_t recency = 0;  ///< join: how many curves wait that were split off later
   };
   struct Start {
     std::uint32_t index;  ///< of the component's first triangle in `gates`
@@ -42,7 +45,6 @@ struct Traversal {
   enum class Trouble : std::uint8_t {
     none,
     several_fans,  ///< the faces of some vertex form more than one
-    long_handles,  ///< a decoder may not take so many steps
   };
 
   std::vector<HalfEdge> gates;         ///< the gate of each triangle, which is a half-edge of it
@@ -50,6 +52,7 @@ struct Traversal {
                                        ///< letter. Valences, up to max_valence, if asked for
   static constexpr std::uint32_t max_valence = 15;
   std::vector<Special> specials;  ///< by index
+  bool handles = false;           ///< there are some among them
   std::vector<Start> starts;
   std::vector<std::uint32_t> vertices;  ///< vertices[n] = the vertex that a decoder will number n
   Trouble trouble = Trouble::none;      ///< with any nothing else holds
@@ -61,9 +64,9 @@ struct Traversal {
 
 /// A component with boundary starts at its longest curve, at that curve's smallest half-edge; such
 /// components come first, by decreasing length and then by that half-edge. A closed one starts at
-/// side 0 of its first face. Destroys all faces of the surface. Cost: linear, for every S the
-/// shorter way round its vertex, and for every handle the curve between its ends. Precondition: the
-/// arrays are a valid surface, but for vertices of several fans. Throws std::bad_alloc only.
+/// side 0 of its first face. Destroys all faces of the surface. Cost: linear, and for every S the
+/// shorter way round its vertex. Precondition: the arrays are a valid surface, but for vertices of
+/// several fans. Throws std::bad_alloc only.
 ///
 /// The decoder goes the same way backwards. So the triangles that a vertex has in the part that is
 /// left to unbuild are those that it has when the decoder comes there, and the last vertex to be
@@ -77,13 +80,12 @@ class Edgebreaker {
         points_(surface.org),
         org_(surface.org.begin(), surface.org.end()),
         unbuilding_(surface.twins, witness),
-        vertices_(surface.vertex_count),
-        steps_left_(allowed_steps(faces_)) {
+        vertices_(surface.vertex_count) {
     result_.gates.resize(faces_);
     result_.contexts.resize(faces_ + std::size_t(1));  // the first gate has no letter before it
     result_.vertices.resize(surface.vertex_count);
     if constexpr (valences)
-      for (const std::uint32_t v : org_) vertices_[v].state += one_triangle;
+      for (const std::uint32_t v : org_) vertices_[v] += one_triangle;
   }
 
   Traversal run() {
@@ -106,12 +108,16 @@ class Edgebreaker {
   }
 
  private:
-  /// A vertex of the surface, or a part of one that an S has cut.
-  struct VertexState {
-    std::uint32_t state = 0;  ///< visited, on_hole; and how many triangles are left of it
-    std::uint32_t label = 0;  ///< where on its curve it is: see aside_curves.h
-  };
+  /// Of a vertex of the surface, or of a part of one that an S has cut: visited, on_hole, and how
+  /// many triangles are left of it.
+  using VertexState = std::uint32_t;
   static constexpr std::uint32_t visited = 1, on_hole = 2, one_triangle = 4;
+
+  /// What the left side of an S leads to, to be visited later.
+  struct Aside {
+    std::uint32_t index;  ///< of the S
+    HalfEdge gate;
+  };
 
   std::uint32_t org(HalfEdge h) const { return org_[h.index()]; }
 
@@ -120,8 +126,8 @@ class Edgebreaker {
 
   /// A vertex comes onto a boundary curve for the first time.
   void visit(std::uint32_t v, std::uint32_t as) {
-    if (vertices_[v].state & visited) several_fans();
-    vertices_[v].state |= as;
+    if (vertices_[v] & visited) several_fans();
+    vertices_[v] |= as;
   }
 
   /// The next half-edge of a boundary curve.
@@ -171,8 +177,7 @@ class Edgebreaker {
     HalfEdge h = gate;
     do {
       h = next_on_boundary(h);
-      vertices_[org(h)].state &= ~on_hole;
-      vertices_[org(h)].label = ++labels_;
+      vertices_[org(h)] &= ~on_hole;
       result_.vertices[numbered_++] = org(h);
     } while (h != gate);
     const std::uint32_t inside = numbered_;
@@ -182,7 +187,7 @@ class Edgebreaker {
     HalfEdge* const gates = result_.gates.data();
     std::uint32_t* const numbers = result_.vertices.data();
     std::uint8_t* const contexts_end = result_.contexts.data() + faces_;
-    std::uint32_t count = count_, numbered = numbered_, labels = labels_;
+    std::uint32_t count = count_, numbered = numbered_;
     Clers letter = last_;
     for (;;) {
       const HalfEdge right_side = lnext(gate), left_side = lprev(gate);
@@ -192,18 +197,17 @@ class Edgebreaker {
       // The letter before is the one that a decoder will meet at this gate.
       std::uint32_t valence = 0;
       if constexpr (valences) {
-        std::uint32_t& at_x = vertices[org[gate.index()]].state;
+        std::uint32_t& at_x = vertices[org[gate.index()]];
         valence = std::min(at_x / one_triangle, Traversal::max_valence);
         at_x -= one_triangle;
-        vertices[org[right_side.index()]].state -= one_triangle;
-        vertices[v].state -= one_triangle;
+        vertices[org[right_side.index()]] -= one_triangle;
+        vertices[v] -= one_triangle;
       }
       contexts_end[-std::ptrdiff_t(count)] =
           static_cast<std::uint8_t>(valence << 3 | static_cast<unsigned>(letter));
       HalfEdge next = right;
-      if (!(vertices[v].state & visited)) {
-        vertices[v].state |= visited;
-        vertices[v].label = ++labels;
+      if (!(vertices[v] & visited)) {
+        vertices[v] |= visited;
         numbers[numbered++] = v;
         letter = Clers::C;
       } else if (!right) {
@@ -213,28 +217,31 @@ class Edgebreaker {
         letter = Clers::L;
       } else {
         letter = Clers::S;
-        labels_ = labels;
         part(gate, left_gate, right, count);
         if (!fine()) return;
-        labels = labels_;
         vertices = vertices_.data();
       }
+      surface.detach(gate, HalfEdge(3 * count + corner(gate)));
       ++count;
-      surface.detach(gate);
       if (letter == Clers::E) {
-        // What is left to do is the curve put aside last, unless it came to this one.
-        do {
+        // What is left to do is put aside, unless the walk came there another way: then the S did
+        // not part the surface, and is an end of a handle.
+        for (;;) {
           if (aside_.empty()) {
             count_ = count;
             numbered_ = numbered;
-            labels_ = labels;
             last_ = letter;
             number_holes(inside);
             return;
           }
-          const AsideCurves::Curve curve = aside_.take();
-          next = curve.joined ? HalfEdge() : curve.gate;
-        } while (!next);
+          const Aside part = aside_.back();
+          aside_.pop_back();
+          next = part.gate;
+          const Face there = left(next);
+          if (!surface.is_destroyed(there)) break;
+          result_.specials.push_back({part.index, next, surface.note(there), SpecialS::split});
+          result_.handles = true;
+        }
       }
       gate = next;
     }
@@ -266,30 +273,20 @@ class Edgebreaker {
     }
     const std::uint32_t w = static_cast<std::uint32_t>(vertices_.size());
     const std::uint32_t triangles = valences ? n * one_triangle : 0;
-    vertices_.push_back({triangles | visited, 0});
-    vertices_[v].state -= triangles;
+    vertices_.push_back(triangles | visited);
+    vertices_[v] -= triangles;
     for (HalfEdge h = right_is_smaller ? right : lnext(left_gate); h;
          h = right_is_smaller ? unbuilding_.sym(lprev(h)) : around_left(h))
       org_[h.index()] = w;
-    const std::uint32_t at_left = right_is_smaller ? v : w, at_right = right_is_smaller ? w : v;
-    const std::uint32_t label = vertices_[v].label;
 
-    const auto other_curve = [&] {
-      return right_is_smaller ? next_on_boundary(lprev(r)) : lnext(l);
-    };
-    if (vertices_[v].state & on_hole) {
-      vertices_[v].state &= ~on_hole;
-      const std::uint32_t length = join(other_curve(), nullptr);
-      result_.specials.push_back({index, left_gate, SpecialS::hole, 0, length});
-    } else if (const std::size_t other = aside_.find(label); other != AsideCurves::none) {
-      AsideCurves::Curve& curve = aside_[other];
-      const std::uint32_t length = join(other_curve(), &curve);
-      result_.specials.push_back({index, left_gate, SpecialS::split, curve.index, length});
+    if (vertices_[v] & on_hole) {
+      vertices_[v] &= ~on_hole;
+      const std::uint32_t length =
+          join_hole(right_is_smaller ? next_on_boundary(lprev(r)) : lnext(l));
+      result_.specials.push_back({index, left_gate, HalfEdge(), SpecialS::hole, length});
     } else {
-      vertices_[at_left].label = label;
-      aside_.put(index, left_gate, label, vertices_[org(gate)].label);
+      aside_.push_back({index, left_gate});
     }
-    vertices_[at_right].label = ++labels_;
   }
 
   /// From a half-edge out of v to the one of the triangle before.
@@ -298,28 +295,17 @@ class Edgebreaker {
     return s ? lnext(s) : HalfEdge();
   }
 
-  /// The curve that starts with half-edge `from` becomes part of the gate's: a hole, or one that
-  /// was put aside. Returns its length.
-  std::uint32_t join(HalfEdge from, AsideCurves::Curve* aside) {
-    std::uint32_t length = 0, end_of_gate = 0;
+  /// The hole that starts with half-edge `from` becomes part of the gate's curve. Returns its
+  /// length.
+  std::uint32_t join_hole(HalfEdge from) {
+    std::uint32_t length = 0;
     HalfEdge h = from;
     do {
       ++length;
-      if (aside && h == aside->gate) end_of_gate = length;
-      VertexState& at = vertices_[org(h)];
-      at.state &= ~on_hole;
-      at.label = ++labels_;
+      vertices_[org(h)] &= ~on_hole;
       h = next_on_boundary(h);
-      if (!aside) hole_vertices_.push_back(points_[h.index()]);
+      hole_vertices_.push_back(points_[h.index()]);
     } while (h != from);
-    if (!aside) return length;
-    aside->joined = true;
-    result_.specials.push_back({aside->index, aside->gate, SpecialS::join, aside->index,
-                                end_of_gate == length ? 0 : length - end_of_gate});
-    if (end_of_gate == 0) several_fans();
-    if (length > steps_left_ || labels_ > max_labels)
-      result_.trouble = Traversal::Trouble::long_handles;
-    steps_left_ -= std::min<std::uint64_t>(length, steps_left_);
     return length;
   }
 
@@ -334,17 +320,14 @@ class Edgebreaker {
     hole_vertices_.clear();
   }
 
-  static constexpr std::uint32_t max_labels = 1u << 31;
-
   std::uint32_t faces_;
   std::span<const std::uint32_t> points_;  ///< origins as they were
   std::vector<std::uint32_t> org_;
   Unbuilding<Witness> unbuilding_;
   std::vector<VertexState> vertices_;
-  AsideCurves aside_;
+  std::vector<Aside> aside_;
   std::vector<std::uint32_t> hole_vertices_;  ///< of this component, in the order of their numbers
-  std::uint64_t steps_left_;
-  std::uint32_t labels_ = 0, count_ = 0, numbered_ = 0;
+  std::uint32_t count_ = 0, numbered_ = 0;
   Clers last_ = Clers::E;  ///< letter
   Traversal result_;
 };

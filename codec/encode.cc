@@ -125,11 +125,6 @@ Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& opti
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     EncodedMesh coded = finish(std::move(works[i]), meshes[i], options);
     for (const EncodedSection& section : coded.sections) out.section(section.kind, section.payload);
-    if (!coded.shape_known) {
-      auto shape = measure(meshes[i]);
-      if (!shape) return in_mesh(shape.error(), i, meshes.size());
-      coded.info.shape = *shape;
-    }
     result.permutations.push_back(std::move(coded.order));
     result.report.push_back(std::move(coded.info));
   }

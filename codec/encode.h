@@ -50,7 +50,8 @@ struct EncodeOptions {
   OnOddity on_duplicate = OnOddity::keep;    ///< faces on the same vertices as an earlier one
 
   /// Called now and then with the name of the stage and the share of the whole work that is done,
-  /// 0..1, never decreasing; from the calling thread. May be empty.
+  /// 0..1, never decreasing; from the calling thread. May be empty. What it throws ends the work
+  /// and passes through.
   std::function<void(std::string_view stage, double done)> progress;
 };
 
@@ -66,10 +67,11 @@ struct Permutation {
 struct Encoded {
   std::vector<std::byte> bytes;
   std::vector<Permutation> permutations;  ///< one for each mesh
-  std::vector<MeshInfo> report;           ///< one for each mesh: what was found and what it costs.
-                                          ///< Of the shape of a mesh in pieces it has vertices,
-                                          ///< faces, triangles and isolated vertices: inspect()
-                                          ///< measures the rest
+  std::vector<MeshInfo> report;           ///< one for each mesh: what it costs, and what coding it
+                                          ///< showed. Of the shape that is vertices, faces,
+                                          ///< triangles and isolated vertices, and of a mesh in one
+                                          ///< piece components, boundary curves and genus of the
+                                          ///< surface that was coded. measure() tells all
 };
 
 /// Encodes meshes into one .clers file.
@@ -78,7 +80,7 @@ struct Encoded {
 /// Errors: inconsistent_mesh, too_large, out_of_memory; and where options say so
 /// degenerate_face, duplicate_face, nonmanifold_edge, nonorientable, nonmanifold_vertex, each with
 /// the first offending element.
-/// Cost: linear in the faces.
+/// Cost: linear in the faces, and O(log n) for each handle.
 /// Thread safe: calls share nothing.
 Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& options = {});
 

@@ -36,6 +36,7 @@ class BitModel {
 /// Coder that writes.
 class EncodeTo {
  public:
+  static constexpr bool encodes = true;
   explicit EncodeTo(rans::Encoder& out) : out_(&out) {}
   bool bit(BitModel& model, bool value) {
     decide(model.share(), value);
@@ -60,6 +61,7 @@ class EncodeTo {
 /// Coder that reads; the values given to it are ignored.
 class DecodeFrom {
  public:
+  static constexpr bool encodes = false;
   explicit DecodeFrom(rans::Decoder& in) : in_(&in) {}
   bool bit(BitModel& model, bool) {
     const bool value = decide(model.share(), false);

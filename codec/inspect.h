@@ -47,7 +47,8 @@ struct AttributeInfo {
 struct Cuts {
   std::uint64_t turned_faces = 0;     ///< ran against their component
   std::uint64_t copied_vertices = 0;  ///< the surface has more vertices than the mesh by as many
-  std::uint64_t loose_faces = 0;      ///< told apart: degenerate ones
+  std::uint64_t repeated_faces = 0;   ///< coded as references to another face
+  std::uint64_t loose_faces = 0;      ///< coded separately because degenerate
 };
 
 /// One mesh of a file.
@@ -78,7 +79,8 @@ struct FileInfo {
 /// Errors: those of decode.
 Expected<FileInfo> inspect(std::span<const std::byte> bytes, const Limits& limits = {});
 
-/// Measures any mesh, polygons and non-manifold ones included. Errors: inconsistent_mesh.
+/// Measures any mesh, polygons and non-manifold ones included. Errors: inconsistent_mesh,
+/// too_large, out_of_memory.
 Expected<MeshShape> measure(const Mesh& mesh);
 
 }  // namespace clers

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "codec/corners_of.h"
 #include "codec/event_model.h"
 
 namespace clers {
@@ -31,40 +32,13 @@ inline std::uint32_t least_rotation(std::span<const std::uint32_t> cycle) {
   return static_cast<std::uint32_t>(n == 0 ? 0 : std::min(i, j));
 }
 
-/// Neighbours of the vertices of triangles, in the order of the faces.
-class Neighbours {
- public:
-  Neighbours(std::span<const std::uint32_t> corners, std::uint32_t vertices)
-      : begin_(std::size_t(vertices) + 2) {
-    for (const std::uint32_t v : corners) begin_[v + 2] += 2;
-    for (std::size_t v = 2; v < begin_.size(); ++v) begin_[v] += begin_[v - 1];
-    all_.resize(2 * corners.size());
-    for (std::size_t i = 0; i < corners.size(); i += 3)
-      for (unsigned j = 0; j < 3; ++j)
-        for (unsigned k = 1; k < 3; ++k)
-          all_[begin_[corners[i + j] + 1]++] = corners[i + (j + k) % 3];
-  }
-  static constexpr std::uint64_t memory(std::uint64_t corners, std::uint64_t vertices) {
-    return sizeof(std::size_t) * (vertices + 2) + 2 * sizeof(std::uint32_t) * corners;
-  }
-  /// With repetitions. Vertices that no triangle has have none.
-  std::span<const std::uint32_t> of(std::uint32_t v) const {
-    if (v + std::size_t(2) >= begin_.size()) return {};
-    return std::span(all_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
-  }
-
- private:
-  std::vector<std::size_t> begin_;
-  std::vector<std::uint32_t> all_;
-};
-
 /// Codes loose faces in rising order.
 class LooseFaceModel {
  public:
   /// `corners` are the triangles of the mesh, as far as it is a surface, by its vertices.
   LooseFaceModel(std::span<const std::uint32_t> corners, std::uint32_t surface_vertices,
                  std::uint32_t vertices)
-      : vertices_(vertices), neighbours_(corners, surface_vertices) {}
+      : vertices_(vertices), corners_(corners, surface_vertices) {}
 
   /// A Coder that encodes is told the size.
   template <class Coder>
@@ -88,7 +62,7 @@ class LooseFaceModel {
 
  private:
   static constexpr unsigned most_candidates = 16;
-  static constexpr std::size_t most_looked_at = 64;  ///< so that hubs cost no more
+  static constexpr unsigned most_looked_at = 32;  ///< triangles, so that hubs cost no more
 
   template <class Coder>
   std::uint64_t code_corner(Coder& coder, std::uint32_t before, std::uint32_t first,
@@ -98,19 +72,17 @@ class LooseFaceModel {
     // No corner of the least rotation is below its first.
     std::uint32_t candidates[most_candidates];
     unsigned n = 0;
-    const auto around = neighbours_.of(before);
-    for (const std::uint32_t c : around.first(std::min(around.size(), most_looked_at))) {
-      if (n == most_candidates) break;
-      if (c <= first || std::find(candidates, candidates + n, c) != candidates + n) continue;
-      candidates[n++] = c;
-    }
+    corners_.for_each_neighbour(before, most_looked_at, [&](std::uint32_t c) {
+      if (n == most_candidates || c <= first) return;
+      if (std::find(candidates, candidates + n, c) == candidates + n) candidates[n++] = c;
+    });
     for (unsigned i = 0; i < n; ++i)
       if (coder.bit(neighbour_[i], value == candidates[i])) return candidates[i];
     return std::uint64_t(first) + far_.code(coder, value - first);
   }
 
   std::uint32_t vertices_;
-  Neighbours neighbours_;
+  CornersOf corners_;
   std::uint32_t first_ = 0;  ///< of the face before
   NumberModel size_, step_, far_;
   BitModel again_, back_, neighbour_[most_candidates];

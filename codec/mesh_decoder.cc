@@ -11,6 +11,7 @@
 #include "codec/parallel.h"
 #include "codec/plain_faces.h"
 #include "codec/polygons.h"
+#include "codec/repeated_faces.h"
 #include "codec/seams.h"
 #include "codec/stitching.h"
 #include "codec/turned_faces.h"
@@ -80,15 +81,42 @@ Expected<std::vector<std::uint32_t>> decode_sizes(const PieceSections& sections,
 Expected<Done> stitch(const PieceSections& sections, std::span<std::uint32_t> triangles) {
   rans::Decoder in(sections.stitches.bytes);
   DecodeFrom coder(in);
-  std::vector<std::uint32_t> classes(sections.connectivity.vertices, Stitching::unknown);
-  if (!Stitching(triangles, sections.connectivity.vertices).code(coder, classes))
-    return broken(sections.stitches, "a vertex is a copy of none");
+  std::vector<std::uint32_t> classes(sections.connectivity.vertices);
+  if (!Stitching(triangles, sections.connectivity.vertices,
+                 static_cast<std::uint32_t>(sections.copies))
+           .code(coder, classes))
+    return broken(sections.stitches, "a vertex is a copy of none, or there are not " +
+                                         std::to_string(sections.copies) + " copies");
   if (auto ok = finished(in, sections.stitches, "the copies"); !ok) return ok;
-  if (number_classes(classes) != sections.surface_vertices)
-    return broken(sections.stitches,
-                  "not " + std::to_string(sections.copies) + " copies, as it was said");
+  number_classes(classes);
   for (std::uint32_t& v : triangles) v = classes[v];
   return Done{};
+}
+
+/// Appends the faces that repeat one of the surface, whose corners are in `corners` already.
+Expected<Done> append_repeats(const PieceSections& sections, std::vector<std::uint32_t>& sizes,
+                              std::vector<std::uint32_t>& corners) {
+  rans::Decoder in(sections.repeats.bytes);
+  DecodeFrom coder(in);
+  RepeatModel model;
+  std::uint64_t left = sections.repeated_corners;
+  std::uint32_t face = 0;
+  std::size_t begin = 0;  // of the face, in corners
+  for (std::uint64_t i = 0; i < sections.repeated_faces; ++i) {
+    const RepeatModel::Code repeat = model.code(coder, {});
+    if (repeat.base < face || repeat.base >= sections.surface_faces)
+      return broken(sections.repeats, "repeated face " + std::to_string(i) + " repeats none");
+    for (; face < repeat.base; ++face) begin += sizes.empty() ? 3 : sizes[face];
+    const std::uint32_t size = sizes.empty() ? 3 : sizes[face];
+    if (size > left) return broken(sections.repeats, "more repeated corners than declared");
+    left -= size;
+    if (!sizes.empty()) sizes.push_back(size);
+    corners.push_back(corners[begin]);
+    for (std::uint32_t j = 1; j < size; ++j)
+      corners.push_back(corners[begin + (repeat.reversed ? size - j : j)]);
+  }
+  if (left != 0) return broken(sections.repeats, "fewer repeated corners than declared");
+  return finished(in, sections.repeats, "the repeated faces");
 }
 
 Expected<Done> append_loose(const PieceSections& sections, std::span<const std::uint32_t> triangles,
@@ -153,10 +181,14 @@ void reorder(Attribute& a, std::size_t values, Source source) {
 /// A piece without attributes, and the triangles that those are predicted along.
 struct DecodedFaces {
   Mesh mesh;
-  bool all_on_surface = true;            ///< mesh.corners are the triangles of the surface
-  std::vector<std::uint32_t> triangles;  ///< otherwise those, or fans of plain faces
+  std::size_t surface_corners = 0;       ///< so many of mesh.corners are those triangles
+  std::vector<std::uint32_t> triangles;  ///< or, with polygons, these are
   std::vector<TurnedRun> turned;
   ConnectivityCounts counts;
+
+  std::span<const std::uint32_t> predicted_along() const {
+    return triangles.empty() ? std::span(mesh.corners).first(surface_corners) : triangles;
+  }
 };
 
 /// Decodes the triangles of the surface, by vertices of the mesh but for polygons and turned faces.
@@ -188,47 +220,57 @@ Expected<DecodedSurface> decode_surface(const PieceSections& sections,
   return result;
 }
 
+/// The polygons that triangles make.
+void make_polygons(std::span<const std::uint32_t> triangles, std::span<const std::uint32_t> sizes,
+                   std::vector<std::uint32_t>& corners) {
+  const std::uint32_t* t = triangles.data();
+  for (const std::uint32_t size : sizes) {
+    corners.insert(corners.end(), {t[0], t[1]});
+    for (std::uint32_t k = size - 2; k-- > 0;) corners.push_back(t[3 * std::size_t(k) + 2]);
+    t += 3 * std::size_t(size - 2);
+  }
+}
+
 Expected<DecodedFaces> decode_faces(const PieceSections& sections) {
   DecodedFaces result;
   Mesh& mesh = result.mesh;
   mesh.vertex_count = static_cast<std::uint32_t>(sections.vertices);
   if (sections.features == feature::plain) {
     if (auto ok = decode_plain(sections, mesh); !ok) return Failure{ok.error()};
-    result.all_on_surface = mesh.triangles_only();
-    if (!result.all_on_surface) result.triangles = fan_triangles(mesh.corners, mesh.face_sizes);
+    result.surface_corners = mesh.corners.size();
+    if (!mesh.triangles_only()) result.triangles = fan_triangles(mesh.corners, mesh.face_sizes);
     return result;
   }
-  std::vector<std::uint32_t> triangles(3 * std::size_t(sections.connectivity.faces));
+  const bool polygons = sections.features & feature::polygons;
+  const std::size_t surface_corners = 3 * std::size_t(sections.connectivity.faces);
+  std::vector<std::uint32_t> triangles;
+  // What is appended to triangles finds room behind them.
+  triangles.reserve(polygons ? surface_corners : static_cast<std::size_t>(sections.corners));
+  triangles.resize(surface_corners);
   auto surface = decode_surface(sections, triangles);
   if (!surface) return Failure{surface.error()};
   result.counts = surface->counts;
   result.turned = std::move(surface->turned);
-  std::vector<std::uint32_t>& sizes = surface->sizes;
-  if (!(sections.features & (feature::polygons | feature::loose))) {
-    mesh.corners = std::move(triangles);
-    return result;
-  }
-
-  mesh.corners.reserve(static_cast<std::size_t>(sections.corners));
-  if (sections.features & feature::polygons) {
-    const std::uint32_t* t = triangles.data();
-    for (const std::uint32_t size : sizes) {
-      mesh.corners.insert(mesh.corners.end(), {t[0], t[1]});
-      for (std::uint32_t k = size - 2; k-- > 0;) mesh.corners.push_back(t[3 * std::size_t(k) + 2]);
-      t += 3 * std::size_t(size - 2);
-    }
-    mesh.face_sizes = std::move(sizes);
+  std::span<const std::uint32_t> along = triangles;
+  if (sections.may_have_sizes()) mesh.face_sizes.reserve(static_cast<std::size_t>(sections.faces));
+  if (polygons) {
+    mesh.corners.reserve(static_cast<std::size_t>(sections.corners));
+    make_polygons(triangles, surface->sizes, mesh.corners);
+    mesh.face_sizes.assign(surface->sizes.begin(), surface->sizes.end());
+    result.triangles = std::move(triangles);
+    along = result.triangles;
   } else {
-    mesh.corners = triangles;
-    mesh.face_sizes.reserve(static_cast<std::size_t>(sections.faces));
-    mesh.face_sizes.assign(triangles.size() / 3, 3);
+    result.surface_corners = surface_corners;
+    mesh.corners = std::move(triangles);
+    if (sections.may_have_sizes()) mesh.face_sizes.assign(surface_corners / 3, 3);
   }
+  if (sections.features & feature::repeats)
+    if (auto ok = append_repeats(sections, mesh.face_sizes, mesh.corners); !ok)
+      return Failure{ok.error()};
   if (sections.features & feature::loose)
-    if (auto ok = append_loose(sections, triangles, mesh.face_sizes, mesh.corners); !ok)
+    if (auto ok = append_loose(sections, along, mesh.face_sizes, mesh.corners); !ok)
       return Failure{ok.error()};
   drop_sizes_of_triangles(mesh);
-  result.all_on_surface = false;
-  result.triangles = std::move(triangles);
   return result;
 }
 
@@ -278,9 +320,11 @@ PieceMemory memory_of(const PieceSections& s, Values values) {
   // Tables of models and of zstd, which are as large for any piece.
   constexpr std::uint64_t constant = 256 << 10;
   const bool plain = s.features == feature::plain, copied = s.features & feature::copies,
-             unfolded = s.features & (feature::polygons | feature::loose);
+             polygons = s.features & feature::polygons;
   const std::uint64_t sizes = s.may_have_sizes() ? each * s.faces : 0;
-  const std::uint64_t triangles = each * (plain ? 3 * s.corners : 3 * s.connectivity.faces);
+  const std::uint64_t triangles = each * (plain      ? 3 * s.corners
+                                          : polygons ? 3 * s.connectivity.faces
+                                                     : s.corners);
   const std::uint64_t runs = sizeof(TurnedRun) * s.turned_runs;
 
   PieceMemory memory;
@@ -288,20 +332,20 @@ PieceMemory memory_of(const PieceSections& s, Values values) {
   if (plain) {
     memory.faces = memory.result + triangles;
   } else {
-    const std::uint64_t copies = each * s.connectivity.vertices;
+    const std::uint64_t corners = 3 * s.connectivity.faces, vertices = s.connectivity.vertices;
     memory.faces =
         triangles +
-        std::max(
-            {connectivity_memory(s.connectivity, false),
-             runs + sizes +
-                 (copied ? copies + std::max(Stitching::memory(s.connectivity.vertices), copies)
-                         : 0),
-             runs + (unfolded ? memory.result : 0) +
-                 (s.features & feature::loose
-                      ? Neighbours::memory(3 * s.connectivity.faces, s.surface_vertices)
-                      : 0)});
+        std::max({connectivity_memory(s.connectivity, false),
+                  runs + sizes +
+                      (copied ? each * vertices +
+                                    std::max(Stitching::memory(corners, vertices, s.copies),
+                                             each * vertices)
+                              : 0),
+                  runs + sizes + (polygons ? memory.result : 0) +
+                      (s.features & feature::loose ? CornersOf::memory(corners, s.surface_vertices)
+                                                   : 0)});
   }
-  memory.values = memory.result + runs + (plain || unfolded ? triangles : 0);
+  memory.values = memory.result + runs + (plain || polygons ? triangles : 0);
   if (values == Values::decode) {
     std::uint64_t most = 0;
     for (const PieceSections::AttributeSection& a : s.attributes) {
@@ -321,10 +365,9 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
                                     std::uint64_t left) {
   auto decoded = decode_faces(sections);
   if (!decoded) return Failure{decoded.error()};
+  const std::span<const std::uint32_t> along = decoded->predicted_along();  // survives the move
   DecodedPiece result{std::move(decoded->mesh), decoded->counts, 0};
   if (values == Values::decode) {
-    const std::span<const std::uint32_t> triangles =
-        decoded->all_on_surface ? result.mesh.corners : decoded->triangles;
     std::vector<Expected<Attribute>> attributes(
         sections.attributes.size(), fail(ErrorCode::internal, "an attribute is not decoded"));
     std::vector<std::uint64_t> memory;
@@ -338,7 +381,7 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
         workers_that_fit(std::move(memory), threads, left > held ? left - held : 0);
     for_each_item(attributes.size(), workers, [&](std::size_t i, unsigned) {
       const PieceSections::AttributeSection& a = sections.attributes[i];
-      attributes[i] = decode_attribute(a.bytes, a.at, a.header, a.count, triangles);
+      attributes[i] = decode_attribute(a.bytes, a.at, a.header, a.count, along);
     });
     result.mesh.attributes.reserve(attributes.size());
     for (auto& attribute : attributes) {

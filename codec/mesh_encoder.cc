@@ -114,30 +114,18 @@ class MeshEncoder {
     Bytes payload = surface_payload(*coded, loose), kept_order;
     std::vector<std::uint32_t> triangles = std::move(coded->triangles);
     const bool keep = options_.order == Order::keep;
-    if (keep || coded->copies > 0) {
+    if (keep) {
       progress("order", 0.3);
-      // Where the faces one by one cost less, those it is. Without an order to keep they may stand
-      // in either, so that coding what was coded comes to the same.
-      const CodedFaces coded_faces = in_coded_order(mesh_, order());
-      if (keep) kept_order = encode_order(mesh_, order(), coded_faces);
-      const auto take_if_smaller = [&](std::span<const std::uint32_t> corners,
-                                       std::span<const std::uint32_t> sizes) {
-        // Never seen to take less than a bit a corner but for a few.
-        const std::size_t so_far = payload.size() + kept_order.size();
-        if (8 * so_far < corners.size() / 2) return false;
-        Bytes faces = plain_payload(corners, sizes);
-        if (faces.size() >= so_far) return false;
-        payload = std::move(faces);
-        kept_order.clear();
-        triangles = fan_triangles(corners, sizes);
-        info().cuts = {};
-        info().clers = {};
-        info().polygon_bytes = info().stitching_bytes = 0;
-        result.settled = false;
-        return true;
-      };
-      if (!keep) take_if_smaller(coded_faces.corners, coded_faces.sizes);
-      if (take_if_smaller(mesh_.corners, mesh_.face_sizes)) set_identity(mesh_, order());
+      kept_order = encode_order(mesh_, order(), in_coded_order(mesh_, order()));
+    }
+    if ((keep || coded->copies > 0) && plain_is_smaller(payload.size() + kept_order.size())) {
+      payload = plain_payload(mesh_.face_count());
+      kept_order.clear();
+      triangles = fan_triangles(mesh_.corners, mesh_.face_sizes);
+      set_identity(mesh_, order());
+      info().cuts = {};
+      info().clers = {};
+      info().polygon_bytes = info().stitching_bytes = 0;
     }
     info().connectivity_bytes = payload.size() + kept_order.size();
     info().order_bytes = kept_order.size();
@@ -202,32 +190,46 @@ class MeshEncoder {
     put_u8(payload, coded.features | (loose_.empty() ? 0 : feature::loose));
     put_varint(payload, mesh_.vertex_count - surface_vertices_);
     if (coded.features & feature::turned) {
-      put_varint(payload, coded.turned_runs);
+      put_varint(payload, coded.runs.size());
       put_stream(payload, coded.turned);
     }
     if (coded.features & feature::polygons) {
-      put_varint(payload, mesh_.face_count() - loose_.size());
+      put_varint(payload, mesh_.face_count() - loose_.size() - coded.repeated_faces);
       put_stream(payload, coded.polygons);
     }
     if (coded.features & feature::copies) {
       put_varint(payload, coded.copies);
       put_stream(payload, coded.stitches);
     }
+    if (coded.features & feature::repeats) {
+      put_varint(payload, coded.repeated_faces);
+      put_varint(payload, coded.repeated_corners);
+      put_stream(payload, coded.repeats);
+    }
     put_bytes(payload, loose);
     put_bytes(payload, coded.connectivity);
     return payload;
   }
 
-  /// Faces one by one, in the order given. No sizes: triangles.
-  Bytes plain_payload(std::span<const std::uint32_t> corners,
-                      std::span<const std::uint32_t> sizes) const {
+  /// Whether the faces one by one, in the order of the input, take less than so many bytes.
+  bool plain_is_smaller(std::size_t bytes) const {
+    // Never seen to take less than a bit a corner but for a few.
+    if (8 * bytes < mesh_.corners.size() / 2) return false;
+    constexpr std::size_t sample = 1024;
+    const std::size_t faces = mesh_.face_count();
+    if (faces > 4 * sample && plain_payload(sample).size() > bytes / (faces / sample)) return false;
+    return plain_payload(faces).size() < bytes;
+  }
+
+  /// The first faces one by one, as they stand in the input.
+  Bytes plain_payload(std::size_t faces) const {
     rans::Encoder stream;
     EncodeTo coder(stream);
     PlainFaceModel model(mesh_.vertex_count);
     std::vector<std::uint32_t> face;
-    for (std::size_t f = 0, begin = 0; f < mesh_.face_count(); ++f) {
-      const std::uint32_t size = sizes.empty() ? 3 : sizes[f];
-      const auto cycle = corners.subspan(begin, size);
+    for (std::size_t f = 0, begin = 0; f < faces; ++f) {
+      const std::uint32_t size = size_of_face(mesh_, f);
+      const auto cycle = std::span(mesh_.corners).subspan(begin, size);
       face.assign(cycle.begin(), cycle.end());
       begin += size;
       model.code_size(coder, size);
@@ -237,7 +239,7 @@ class MeshEncoder {
     put_u8(payload, feature::plain);
     put_varint(payload, mesh_.vertex_count);
     put_varint(payload, mesh_.face_count());
-    put_varint(payload, corners.size());
+    put_varint(payload, mesh_.corners.size());
     stream.finish(payload);
     return payload;
   }
@@ -352,16 +354,27 @@ class MeshEncoder {
     return out;
   }
 
+  /// Vertices that loose faces have and the surface has not.
+  std::uint64_t vertices_of_loose() {
+    if (loose_.empty()) return 0;
+    std::vector<bool> counted(mesh_.vertex_count);
+    for (std::uint32_t i = 0; i < surface_vertices_; ++i) counted[order().vertices[i]] = true;
+    std::uint64_t count = 0;
+    for (const std::uint32_t f : loose_)
+      for (const std::uint32_t v : cycle_of(f)) {
+        count += !counted[v];
+        counted[v] = true;
+      }
+    return count;
+  }
+
   void describe(const EncodedSurface& coded) {
     info().name = mesh_.name;
-    info().cuts = {coded.turned_faces, coded.copies, loose_.size()};
+    info().cuts = {coded.turned_faces, coded.copies, coded.repeated_faces, loose_.size()};
     info().clers = in_word_order(coded.counts.letters);
     info().polygon_bytes = coded.polygons.size();
-    info().stitching_bytes = coded.turned.size() + coded.stitches.size() + loose_bytes_;
-    // Cuts, and vertices that only loose faces have, may depend on the numbers of the vertices.
-    result.settled = coded.settled && coded.copies == 0 &&
-                     (loose_.empty() || surface_vertices_ == mesh_.vertex_count);
-    result.shape_known = coded.copies == 0 && coded.turned_faces == 0 && loose_.empty();
+    info().stitching_bytes =
+        coded.turned.size() + coded.stitches.size() + coded.repeats.size() + loose_bytes_;
     MeshShape& shape = info().shape;
     shape.vertices = mesh_.vertex_count;
     shape.faces = mesh_.face_count();
@@ -369,7 +382,7 @@ class MeshEncoder {
     shape.components = coded.counts.components;
     shape.boundary_curves = coded.counts.boundary_curves;
     shape.genus = coded.counts.handles;
-    shape.isolated_vertices = mesh_.vertex_count - surface_vertices_;
+    shape.isolated_vertices = mesh_.vertex_count - surface_vertices_ - vertices_of_loose();
   }
 
   template <class Progress>
@@ -385,13 +398,14 @@ class MeshEncoder {
       coded[i] =
           encode_attribute(in_coded_order(a, mesh_, result.order), triangles, options_.level);
     });
+    const Attribute* const position = mesh_.position();
     for (std::size_t i = 0; i < count; ++i) {
       if (!coded[i]) return Failure{coded[i].error()};
       const Attribute& a = mesh_.attributes[i];
       const std::size_t bytes = coded[i]->size();
       info().attributes.push_back(
           {a.name, a.domain, a.scalar, a.components, mesh_.value_count(a.domain), bytes});
-      (&a == mesh_.position() ? info().position_bytes : info().attribute_bytes) += bytes;
+      (&a == position ? info().position_bytes : info().attribute_bytes) += bytes;
       put(SectionKind::attribute, std::move(*coded[i]));
     }
     return Done{};

@@ -28,8 +28,6 @@ struct EncodedMesh {
   std::vector<EncodedSection> sections;
   Permutation order;
   MeshInfo info;
-  bool shape_known = false;  ///< nothing was cut: info has it
-  bool settled = false;  ///< what is decoded, its vertices renumbered, is surely coded to the same
 };
 
 /// Refuses meshes whose arrays disagree, and those with faces that the options do not allow.

@@ -15,7 +15,8 @@ inline constexpr std::uint32_t polygons = 2;  ///< triangles that belong togethe
 inline constexpr std::uint32_t copies = 4;    ///< surface vertices that are one vertex of the mesh
 inline constexpr std::uint32_t loose = 8;     ///< faces that are not on the surface
 inline constexpr std::uint32_t plain = 16;    ///< alone: faces one by one, no surface
-inline constexpr std::uint32_t on_surface = 15;
+inline constexpr std::uint32_t repeats = 32;  ///< faces that repeat one of the surface
+inline constexpr std::uint32_t on_surface = turned | polygons | copies | loose | repeats;
 }  // namespace feature
 
 /// So that every corner has a number, and triangles made of polygons have.

@@ -64,6 +64,11 @@ Expected<Done> read_surface(const Section& section, ByteReader& in, PieceSection
     mesh.copies = in.varint();
     mesh.stitches = read_stream(in);
   }
+  if (mesh.features & feature::repeats) {
+    mesh.repeated_faces = in.varint();
+    mesh.repeated_corners = in.varint();
+    mesh.repeats = read_stream(in);
+  }
   if (mesh.features & feature::loose) {
     mesh.loose_faces = in.varint();
     mesh.loose_corners = in.varint();
@@ -90,6 +95,14 @@ Expected<Done> read_surface(const Section& section, ByteReader& in, PieceSection
   if (mesh.features & feature::copies && (mesh.copies == 0 || mesh.copies >= header->vertices))
     return invalid(std::to_string(mesh.copies) + " copies among " +
                    std::to_string(header->vertices) + " vertices");
+  if (mesh.features & feature::repeats) {
+    const std::uint64_t most = max_decisions_per_byte * mesh.repeats.bytes.size();
+    if (mesh.repeated_faces == 0 || mesh.repeated_faces > most ||
+        mesh.repeated_corners / 3 < mesh.repeated_faces || mesh.repeated_corners > max_corners)
+      return invalid(std::to_string(mesh.repeated_faces) + " repeated faces of " +
+                     std::to_string(mesh.repeated_corners) + " corners cannot be coded in " +
+                     std::to_string(mesh.repeats.bytes.size()) + " bytes");
+  }
   if (mesh.features & feature::loose) {
     const std::uint64_t most = max_decisions_per_byte * mesh.loose.bytes.size();
     if (mesh.loose_faces == 0 || mesh.loose_faces > most || mesh.loose_corners > most)
@@ -101,9 +114,10 @@ Expected<Done> read_surface(const Section& section, ByteReader& in, PieceSection
   if (others > 0xffffffffu - mesh.surface_vertices)
     return invalid(std::to_string(others) + " further vertices are more than there are numbers");
   mesh.vertices = mesh.surface_vertices + others;
-  mesh.faces = mesh.surface_faces + mesh.loose_faces;
+  mesh.faces = mesh.surface_faces + mesh.repeated_faces + mesh.loose_faces;
   // A polygon of n corners is n - 2 triangles.
-  mesh.corners = header->faces + 2 * mesh.surface_faces + mesh.loose_corners;
+  mesh.corners =
+      header->faces + 2 * mesh.surface_faces + mesh.repeated_corners + mesh.loose_corners;
   if (mesh.corners > max_corners)
     return invalid(std::to_string(mesh.corners) + " corners are more than there are numbers");
   return Done{};
@@ -168,7 +182,8 @@ bool same_attributes(const PieceSections& a, const PieceSections& b) {
 /// Takes the sections of a file one after the other.
 class MeshesReader {
  public:
-  MeshesReader(const Limits& limits, Budget& budget) : limits_(limits), budget_(budget) {}
+  MeshesReader(const Limits& limits, std::uint64_t pieces_in_file)
+      : limits_(limits), pieces_left_(pieces_in_file) {}
 
   Expected<Done> take(const Section& section) {
     const bool any_piece = !meshes.empty() && !meshes.back().pieces.empty();
@@ -214,6 +229,7 @@ class MeshesReader {
     if (pieces < 2 || in.left() > 0) return invalid(section, "no number of pieces, 2 at least");
     if (auto ok = begin_mesh(section); !ok) return ok;
     pieces_to_come_ = pieces;
+    meshes.back().pieces.reserve(static_cast<std::size_t>(std::min(pieces, pieces_left_)));
     return Done{};
   }
 
@@ -221,12 +237,12 @@ class MeshesReader {
     if (auto ok = finish_mesh(section); !ok) return ok;
     if (meshes.size() >= limits_.meshes)
       return over(section.at, Limited::meshes, "meshes or more", meshes.size() + 1, limits_.meshes);
-    if (auto ok = grow(meshes, budget_); !ok) return ok;
     meshes.emplace_back();
     return Done{};
   }
 
   Expected<Done> add_piece(const Section& section) {
+    --pieces_left_;
     if (pieces_to_come_ > 0) {
       --pieces_to_come_;
       if (auto ok = finish_piece(); !ok) return ok;
@@ -239,7 +255,6 @@ class MeshesReader {
     piece->first_vertex = mesh.vertices;
     piece->first_face = mesh.faces;
     piece->first_corner = mesh.corners;
-    if (auto ok = grow(mesh.pieces, budget_); !ok) return ok;
     mesh.pieces.push_back(std::move(*piece));
     return Done{};
   }
@@ -285,8 +300,6 @@ class MeshesReader {
   Expected<Done> add_attribute(const Section& section, PieceSections& piece) {
     auto attribute = read_attribute(section, piece);
     if (!attribute) return Failure{attribute.error()};
-    if (auto ok = grow(piece.attributes, budget_); !ok) return ok;
-    if (auto ok = budget_.take(attribute->header.attribute.name.size()); !ok) return ok;
     piece.attributes.push_back(std::move(*attribute));
     return Done{};
   }
@@ -298,23 +311,34 @@ class MeshesReader {
     if (const std::size_t i = first_not_utf8(name); i < name.size())
       return fail(ErrorCode::invalid, Place::byte, section.at + i,
                   "the name is not UTF-8 from here");
-    if (auto ok = budget_.take(2 * name.size()); !ok) return ok;  // here, and in the result
     mesh.name = name;
     mesh.has_name = true;
     return Done{};
   }
 
   const Limits& limits_;
-  Budget& budget_;
+  std::uint64_t pieces_left_;         ///< in the file
   std::uint64_t pieces_to_come_ = 0;  ///< of the latest mesh
 };
+
+/// What sections become: a mesh or a piece each, and lists of attributes that grow by doubling.
+std::uint64_t tables_memory(const ContainerReader::Tally& tally) {
+  const std::uint64_t pieces = tally.count(SectionKind::mesh),
+                      attributes = tally.count(SectionKind::attribute);
+  return pieces * (sizeof(PieceSections) + 3 * sizeof(MeshSections)) +
+         attributes * 3 * sizeof(PieceSections::AttributeSection) +
+         std::min(tally.size(SectionKind::attribute), 256 * attributes) +  // names
+         2 * tally.size(SectionKind::name);  // here, and in the result
+}
 
 }  // namespace
 
 Expected<std::vector<MeshSections>> read_meshes(ContainerReader& file, const Limits& limits,
                                                 Budget& budget) {
   if (auto ok = file.open(); !ok) return Failure{ok.error()};
-  MeshesReader reader(limits, budget);
+  const ContainerReader::Tally tally = file.tally();
+  if (auto ok = budget.take(tables_memory(tally)); !ok) return Failure{ok.error()};
+  MeshesReader reader(limits, tally.count(SectionKind::mesh));
   for (bool more = true; more;) {
     auto section = file.next();
     if (!section) return Failure{section.error()};

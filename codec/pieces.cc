@@ -12,58 +12,6 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffffu;
 
-/// The piece as it will be cut out of the decoded mesh: in its order, but for the vertices. `order`
-/// tells how it was coded, and will tell how the result came of the whole mesh.
-Mesh decoded(const Mesh& piece, Permutation& order) {
-  Mesh result;
-  result.vertex_count = piece.vertex_count;
-  CodedFaces faces = in_coded_order(piece, order);
-  result.corners = std::move(faces.corners);
-  result.face_sizes = std::move(faces.sizes);
-  std::vector<std::uint32_t> number(piece.vertex_count, none), vertices;
-  vertices.reserve(piece.vertex_count);
-  const auto meet = [&](std::uint32_t v) {
-    if (number[v] == none) {
-      number[v] = static_cast<std::uint32_t>(vertices.size());
-      vertices.push_back(order.vertices[v]);
-    }
-    return number[v];
-  };
-  for (std::uint32_t& v : result.corners) v = meet(v);
-  for (std::uint32_t v = 0; v < piece.vertex_count; ++v) meet(v);
-  order.vertices = std::move(vertices);
-  for (const Attribute& a : piece.attributes)
-    result.attributes.push_back(in_coded_order(a, piece, order));
-  return result;
-}
-
-/// `second` tells how what `first` has made was renumbered.
-Permutation composed(const Permutation& first, Permutation second, const Mesh& mesh) {
-  for (std::uint32_t& v : second.vertices) v = first.vertices[v];
-  for (std::size_t i = 0; i < second.faces.size(); ++i) {
-    const std::uint32_t before = second.faces[i], f = first.faces[before];
-    const std::uint32_t size = mesh.triangles_only() ? 3 : mesh.face_sizes[before];
-    second.faces[i] = f;
-    if (size > 0)
-      second.first_corners[i] = (second.first_corners[i] + first.first_corners[before]) % size;
-  }
-  return second;
-}
-
-std::size_t size_of(const EncodedMesh& m) {
-  std::size_t size = 0;
-  for (const EncodedSection& s : m.sections) size += s.payload.size();
-  return size;
-}
-
-/// Fewer bytes, or of as many the first in the alphabet: any order will do that is one.
-bool is_less(const EncodedMesh& a, const EncodedMesh& b) {
-  if (size_of(a) != size_of(b)) return size_of(a) < size_of(b);
-  return std::lexicographical_compare(
-      a.sections.begin(), a.sections.end(), b.sections.begin(), b.sections.end(),
-      [](const EncodedSection& x, const EncodedSection& y) { return x.payload < y.payload; });
-}
-
 /// Adds what is told of a piece that shares vertices with those before.
 void add(const MeshInfo& piece, std::uint64_t shared, MeshInfo& whole) {
   whole.shape.vertices += piece.shape.vertices - shared;
@@ -71,6 +19,7 @@ void add(const MeshInfo& piece, std::uint64_t shared, MeshInfo& whole) {
   whole.shape.triangles += piece.shape.triangles;
   whole.cuts.turned_faces += piece.cuts.turned_faces;
   whole.cuts.copied_vertices += piece.cuts.copied_vertices;
+  whole.cuts.repeated_faces += piece.cuts.repeated_faces;
   whole.cuts.loose_faces += piece.cuts.loose_faces;
   for (std::size_t i = 0; i < piece.clers.size(); ++i) whole.clers[i] += piece.clers[i];
   whole.connectivity_bytes += piece.connectivity_bytes;
@@ -158,32 +107,8 @@ PieceCutter::Piece PieceCutter::cut(std::size_t piece, std::vector<std::uint32_t
 
 Expected<EncodedMesh> encode_piece(PieceCutter::Piece piece, std::span<const std::uint32_t> faces,
                                    const EncodeOptions& options, const Progress& progress) {
-  Mesh mesh = std::move(piece.mesh);
-  auto coded = encode_mesh(mesh, options, 1, progress);
+  auto coded = encode_mesh(piece.mesh, options, 1, progress);
   if (!coded) return coded;
-  if (!coded->settled) {
-    // As in encode_surface: coding what was coded leads into a circle, nearly always of one, and of
-    // that the least is taken.
-    constexpr std::size_t most_rounds = 16;
-    Permutation so_far;  // how `mesh` came of the piece
-    set_identity(mesh, so_far);
-    std::vector<EncodedMesh> history;
-    for (;;) {
-      Permutation order = coded->order;
-      coded->order = composed(so_far, std::move(coded->order), mesh);
-      const auto seen = std::find_if(history.begin(), history.end(), [&](const EncodedMesh& m) {
-        return m.sections == coded->sections;
-      });
-      if (seen != history.end()) coded = std::move(*std::min_element(seen, history.end(), is_less));
-      if (seen != history.end() || history.size() == most_rounds) break;
-      history.push_back(std::move(*coded));
-      Mesh next = decoded(mesh, order);
-      so_far = composed(so_far, std::move(order), mesh);
-      mesh = std::move(next);
-      coded = encode_mesh(mesh, options, 1, progress);
-      if (!coded) return coded;
-    }
-  }
   for (std::uint32_t& v : coded->order.vertices) v = piece.vertices[v];
   for (std::uint32_t& f : coded->order.faces) f = faces[f];
   return coded;
@@ -191,7 +116,6 @@ Expected<EncodedMesh> encode_piece(PieceCutter::Piece piece, std::span<const std
 
 EncodedMesh join(std::vector<EncodedMesh> pieces, const Mesh& mesh) {
   EncodedMesh whole;
-  whole.shape_known = true;
   Bytes count;
   put_varint(count, pieces.size());
   whole.sections.push_back({SectionKind::pieces, std::move(count)});

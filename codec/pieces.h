@@ -35,8 +35,7 @@ class PieceCutter {
   std::vector<std::uint32_t> isolated_;  ///< vertices that no face uses
 };
 
-/// Encodes a piece so that what is decoded, cut out of the whole decoded mesh, is coded to the same
-/// bytes. The order that comes with it is that of the whole mesh.
+/// Encodes a piece. The order that comes with it is that of the whole mesh.
 Expected<EncodedMesh> encode_piece(PieceCutter::Piece piece, std::span<const std::uint32_t> faces,
                                    const EncodeOptions& options, const Progress& progress);
 

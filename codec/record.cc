@@ -87,36 +87,24 @@ class Recording {
   void special(std::uint32_t symbol) {
     if (!aside_.empty()) record_.events.push_back({symbol, Event::Kind::special, true});
     const Traversal::Special& s = traversal_.specials[--next_special_];
-    Event e{symbol, Event::Kind::split};
+    Event e{symbol, Event::Kind::hole};
     e.distance = s.distance;
+    e.length = s.length;
+    e.recency = s.recency;
     if (s.kind == SpecialS::join) {
-      std::size_t w = waiting_.size() - 1;
-      while (waiting_[w].curve != s.curve) --w;
       e.kind = Event::Kind::join;
-      e.curve = waiting_[w].number;
-      e.length = waiting_[w].length;
-      waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(w));
-      length_ += e.length - 1;
+      length_ += s.length - 1;
     } else {
-      e.curve = record_.curves++;
-      if (s.kind == SpecialS::split) {
-        e.length = length_;
-        waiting_.push_back({s.curve, e.curve, s.distance});
-      }
+      if (s.kind == SpecialS::split) e.kind = Event::Kind::split;
       length_ -= 1 + s.distance;
     }
     record_.events.push_back(e);
   }
 
-  struct Waiting {
-    std::uint32_t curve, number, length;
-  };
-
   Traversal& traversal_;
   Record record_;
   std::size_t next_start_, next_special_;
   std::vector<std::uint32_t> aside_;          ///< lengths of the curves whose gates are put aside
-  std::vector<Waiting> waiting_;              ///< curves split off for a handle
   std::uint32_t length_ = 3;                  ///< of the gate's curve
   std::uint32_t begun_ = 0;                   ///< curves, the first excepted
   std::uint32_t after_ = 1;                   ///< the last S or E, it goes on here

@@ -12,14 +12,16 @@ namespace clers {
 
 /// What is told besides a symbol, in the order of decoding.
 struct Event {
-  enum class Kind : std::uint8_t { new_component, closed, special, split, join };
+  enum class Kind : std::uint8_t { new_component, closed, special, hole, split, join };
   std::uint32_t symbol;  ///< comes after this one, counted in the order of decoding
   Kind kind;
-  bool value = false;          ///< new_component, closed, special
-  bool two_edges = false;      ///< new_component
-  std::uint32_t curve = 0;     ///< split, join: number of the curve that is split off
-  std::uint32_t distance = 0;  ///< split: edges back to the split; join: position on the curve
-  std::uint32_t length = 0;    ///< split, join: edges of the curve walked on
+  bool value = false;      ///< new_component, closed, special
+  bool two_edges = false;  ///< new_component
+  /// hole: its edges. split: edges back from the gate. join: edges back from the vertex of the
+  /// split.
+  std::uint32_t distance = 0;
+  std::uint32_t length = 0;   ///< split, join: edges of the curve that distance is counted on
+  std::uint32_t recency = 0;  ///< join: how many curves wait that were split off later
   bool operator==(const Event&) const = default;
 };
 
@@ -28,11 +30,11 @@ struct Record {
   std::vector<std::uint8_t> contexts;  ///< valence << 3 | letter, in the order of decoding
   std::vector<Event> events;
   std::array<std::uint64_t, 5> letters = {};  ///< how many, by Clers
-  std::uint32_t curves = 0;                   ///< that special S split off
   std::vector<std::uint32_t> vertices;        ///< vertices[new] = old
 };
 
-/// The record of a traversal, whose contexts and vertices move into it. Cost: linear.
+/// The record of a traversal with its handles placed (place_handles.h), whose contexts and vertices
+/// move into it. Cost: linear.
 Record record_of(Traversal& traversal);
 
 }  // namespace clers

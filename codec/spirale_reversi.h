@@ -15,6 +15,8 @@
 #include <vector>
 
 #include "codec/clers.h"
+#include "codec/curve_index.h"
+#include "codec/waiting_curves.h"
 #include "topology/front.h"
 
 namespace clers {
@@ -31,7 +33,6 @@ enum class Broken : std::uint8_t {
   waiting_curve,      ///< a component ends while a curve waits to be joined, or none waits
   gate_left,          ///< the string ends while gates are put aside
   vertex_count,       ///< fewer vertices were made than declared
-  work,               ///< more steps along boundary curves than allowed
 };
 
 /// What builds up while decoding. All memory is the caller's.
@@ -51,12 +52,22 @@ struct Breakage {
   std::uint64_t symbol = 0;
 };
 
+/// Where a special S glues, from a source that knows.
+struct SpecialVertex {
+  bool there = false;  ///< on a curve that the S may glue to
+  SpecialS kind = SpecialS::hole;
+  std::uint32_t q = 0;  ///< end of the edge
+};
+
 /// Valence in links of vertices that were merged away, for who must tell them from others.
 inline constexpr std::uint32_t merged_away = 0xffffffffu;
 
 /// Runs the string that `source` gives. A Source answers the questions of codec/format.md:
-/// StreamSource from a stream, RecordingSource from what the encoder knows. One that `resolves`
-/// calls every curve that is split off a `split`; those that no S joins turn out to be holes.
+/// StreamSource from a stream, Answers from what was recorded. One that `knows_vertices` finds the
+/// vertex that a special S glues to itself: PlacingSource (place_handles.cc), RecordingSource
+/// (built_record.cc).
+///
+/// Cost: linear, and O(log n) amortised for every handle.
 template <class Pairing, class Source>
 class SpiraleReversi {
  public:
@@ -64,7 +75,10 @@ class SpiraleReversi {
   using Corners = typename Front<Pairing>::Corners;
 
   SpiraleReversi(Building& to, Pairing& pairing, Source& source)
-      : to_(to), front_(to.links.data(), pairing), source_(source) {}
+      : to_(to),
+        front_(to.links.data(), pairing),
+        source_(source),
+        curves_(to.links.data(), to.links.size()) {}
 
   Breakage run() {
     const std::uint32_t faces = static_cast<std::uint32_t>(to_.corners.size() / 3);
@@ -72,7 +86,6 @@ class SpiraleReversi {
     if (faces == 0) return {};
     std::uint32_t* out = to_.corners.data() + to_.corners.size();
     FrontLink* const links = to_.links.data();
-    steps_left_ = allowed_steps(faces);
     std::uint32_t made = 0, finished = 0;
     Corners c;
     Front<Pairing> front = front_;
@@ -114,8 +127,8 @@ class SpiraleReversi {
               if (ids - made < 3) return Broken::too_many_vertices;
               if (!aside_.empty() || !source_.new_component(front.prev(gate.x) == gate.y)) {
                 if (aside_.size() == to_.merges) return Broken::gate_left;  // an S for each
-                aside_.push_back(gate);
-              } else if (!waiting_is_over()) {
+                aside_.push_back(Gate(gate));  // a copy: the gate stays in registers
+              } else if (!nothing_waits()) {
                 return Broken::waiting_curve;
               } else {
                 finished = end_component(gate, finished);
@@ -129,7 +142,7 @@ class SpiraleReversi {
       write(out -= 3, c);
     }
     if (!aside_.empty()) return {Broken::gate_left, faces};
-    if (!waiting_is_over()) return {Broken::waiting_curve, faces};
+    if (!nothing_waits()) return {Broken::waiting_curve, faces};
     to_.finished = end_component(gate, finished);
     return {};
   }
@@ -163,51 +176,53 @@ class SpiraleReversi {
 
   /// The end q of the edge that a special S glues to.
   Broken special_vertex(Gate gate, std::uint32_t& q, HandleCase& as) {
-    FrontLink* const links = to_.links.data();
-    switch (source_.kind(front_, gate, waiting_)) {
-      case SpecialS::hole: {
-        // The ring of the hole is its length; it is never touched again.
-        const Broken broken = back(gate, source_.hole_length(), q);
-        if (broken != Broken::none) return broken;
-        holes_.push_back(q);
-        break;
+    if constexpr (Source::knows_vertices) {
+      const SpecialVertex found = source_.special_vertex(gate.x, gate.y);
+      if (!found.there) return Broken::position;
+      q = found.q;
+      if (found.kind == SpecialS::hole) holes_.push_back(q);
+      if (found.kind == SpecialS::join) as = HandleCase::join_curves;
+      return Broken::none;
+    } else {
+      switch (source_.kind(!waiting_.empty())) {
+        case SpecialS::hole: {
+          const Broken broken = back(gate, source_.hole_length(), q);
+          if (broken == Broken::none) holes_.push_back(q);
+          return broken;
+        }
+        case SpecialS::split: {
+          CurveIndex::Curve curve = curves_.gather(gate.x, gate.y);
+          const std::uint32_t n = curves_.length(curve);
+          if (n < 5) return Broken::curve_too_short;
+          const std::uint64_t d = source_.split_distance(n);
+          if (d < 2 || d > n - 3) return Broken::position;
+          q = curves_.vertex(curve, static_cast<std::uint32_t>(d));
+          waiting_.put(curves_.split_off(curve, static_cast<std::uint32_t>(d)));
+          return Broken::none;
+        }
+        case SpecialS::join: {
+          if (waiting_.empty()) return Broken::waiting_curve;
+          const std::uint32_t recency = source_.join_curve(waiting_.size());
+          if (recency >= waiting_.size()) return Broken::position;
+          CurveIndex::Curve ring = waiting_.take(recency);
+          const std::uint32_t n = curves_.length(ring), position = source_.join_position(n);
+          if (position >= n) return Broken::position;
+          // It is counted from the vertex of the split, which is the last of the ring.
+          const std::uint32_t place = (position + n - 1) % n;
+          q = curves_.vertex(ring, place);
+          curves_.join(curves_.gather(gate.x, gate.y), ring, place);
+          as = HandleCase::join_curves;
+          return Broken::none;
+        }
       }
-      case SpecialS::split: {
-        std::uint64_t n = 2;  // edges: x to y backwards, and the gate
-        for (std::uint32_t v = links[gate.x].prev; v != gate.y; v = links[v].prev) ++n;
-        if (!spend(n)) return Broken::work;
-        if (n < 5) return Broken::curve_too_short;
-        const Broken broken = back(gate, source_.split_distance(n), q);
-        if (broken != Broken::none) return broken;
-        waiting_.push_back(q);
-        break;
-      }
-      case SpecialS::join: {
-        if (waiting_.empty()) return Broken::waiting_curve;
-        const std::uint32_t recency =
-            source_.join_curve(static_cast<std::uint32_t>(waiting_.size()));
-        if (recency >= waiting_.size()) return Broken::position;
-        const std::size_t index = waiting_.size() - 1 - recency;
-        q = waiting_[index];
-        waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(index));
-        std::uint32_t n = 1;
-        for (std::uint32_t v = links[q].prev; v != q; v = links[v].prev) ++n;
-        if (!spend(2 * std::uint64_t(n))) return Broken::work;
-        const std::uint32_t position = source_.join_position(n);
-        if (position >= n) return Broken::position;
-        for (std::uint32_t k = 0; k < position; ++k) q = links[q].prev;
-        as = HandleCase::join_curves;
-        break;
-      }
+      return Broken::position;
     }
-    return Broken::none;
   }
 
   /// q = the vertex d edges before x. The triangle {prev(q), y, x} must not repeat a vertex, and
-  /// the curve q .. x must have two edges at least.
+  /// the curve q .. x must have two edges at least. What is walked here is a hole, and never again.
   Broken back(Gate gate, std::uint64_t d, std::uint32_t& q) {
     if (d < 2) return Broken::position;
-    if (!spend(d)) return Broken::work;
     q = gate.x;
     for (std::uint64_t k = 0; k < d; ++k) {
       q = to_.links[q].prev;
@@ -220,17 +235,16 @@ class SpiraleReversi {
             typename Pairing::Edge pq, HandleCase as, Corners& c) {
     const Gate next = front_.attach_glue(gate, f, p, kp, q, kq, pq, as, c);
     to_.links[gate.x] = {q, merged_away};
-    to_.merged.push_back(gate.x);
+    to_.merged.push_back(std::uint32_t(gate.x));
     return next;
   }
 
   /// Whether every curve split off for a handle has been joined.
-  bool waiting_is_over() {
-    if constexpr (Source::resolves) {  // now it is known which curves no S joined
-      holes_.swap(waiting_);
-      waiting_.clear();
-    }
-    return waiting_.empty();
+  bool nothing_waits() {
+    if constexpr (Source::knows_vertices)
+      return source_.nothing_waits(holes_);
+    else
+      return waiting_.empty();
   }
 
   /// What is left of the boundary is final: the holes, and the curve of the gate. Returns how many
@@ -255,20 +269,13 @@ class SpiraleReversi {
     return finished;
   }
 
-  bool spend(std::uint64_t steps) {
-    if constexpr (Source::resolves) return true;
-    if (steps > steps_left_) return false;
-    steps_left_ -= steps;
-    return true;
-  }
-
   Building& to_;
   Front<Pairing> front_;
   Source& source_;
-  std::vector<Gate> aside_;             ///< gates of parts to be joined by a later S
-  std::vector<std::uint32_t> waiting_;  ///< a vertex of each curve split off for a handle
-  std::vector<std::uint32_t> holes_;    ///< a vertex of each hole of this component
-  std::uint64_t steps_left_ = 0;
+  std::vector<Gate> aside_;  ///< gates of parts to be joined by a later S
+  CurveIndex curves_;
+  WaitingCurves waiting_;             ///< curves split off for a handle
+  std::vector<std::uint32_t> holes_;  ///< a vertex of each hole of this component
 };
 
 /// Afterwards links[v].prev = how many finished before v, of merged vertices too.

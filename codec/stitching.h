@@ -1,14 +1,19 @@
 // What undoes the cuts: which vertices of a surface are copies of one vertex of the mesh.
 //
-// A surface cut along non-manifold edges has the same edges on several sheets. So the copy of a
-// vertex mostly is, on another sheet, a neighbour of what its own neighbours are copies of; those
-// are tried first.
+// Of the vertices that are one in the mesh the first names their class; the others are its copies.
+// Cuts run along edges, so that there are as many sheets of the same edges: the class of a copy
+// mostly has a member beside another member of the class of one of its neighbours.
+//
+//          v ------ w            v is a copy, w is of the class of m:
+//          :        :            the class of v is likely that of a neighbour of m
+//          x ------ m
 #ifndef CLERS_CODEC_STITCHING_H
 #define CLERS_CODEC_STITCHING_H
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -16,111 +21,184 @@
 
 namespace clers {
 
-/// Codes the classes of surface vertices, along the faces. The class of a vertex is named by its
-/// first member that a face has. Cost: linear; 68 bytes a vertex.
+/// Codes the classes of surface vertices. Cost: a pass over vertices and faces, all else by the
+/// vertices on cuts: those that are copies, or have one.
 class Stitching {
+  struct Neighbour {
+    std::uint32_t place, next;
+  };
+
  public:
-  static constexpr std::uint32_t unknown = 0xffffffffu;
-  /// Bytes that it takes, the classes not counted.
-  static constexpr std::uint64_t memory(std::uint64_t vertices) {
-    return vertices * (sizeof(std::uint32_t) + sizeof(Near)) + vertices / 8 + 8;
+  /// `corners` are triangles of surface vertices, all below `vertices`, of which there are more
+  /// than `copies`.
+  Stitching(std::span<const std::uint32_t> corners, std::uint32_t vertices, std::uint32_t copies)
+      : triangles_(corners), vertices_(vertices), copies_(copies) {}
+
+  /// Memory that a Stitching takes at most, in bytes.
+  static std::uint64_t memory(std::uint64_t corners, std::uint64_t vertices, std::uint64_t copies) {
+    const std::uint64_t on_cuts = std::min(vertices, 2 * copies);
+    const std::uint64_t listed = std::min(2 * corners, most_listed * on_cuts);
+    return 5 * vertices + 17 * on_cuts + 3 * sizeof(Neighbour) * listed;  // 3: a vector that grows
   }
 
-  /// `corners` are triangles of surface vertices, all below `vertices`.
-  Stitching(std::span<const std::uint32_t> corners, std::uint32_t vertices)
-      : corners_(corners), turns_(vertices), near_(vertices), done_(vertices) {
-    // Around an interior vertex, every neighbour comes next as often as it came before.
-    for (std::size_t i = 0; i < corners.size(); i += 3)
-      for (unsigned j = 0; j < 3; ++j)
-        turns_[corners[i + j]] += corners[i + (j + 1) % 3] - corners[i + (j + 2) % 3];
-  }
-
-  /// A Coder that encodes is told all classes; one that decodes fills them in. False: what was
-  /// decoded names no class.
+  /// A Coder that encodes gets classes[v], the least vertex of the class of v; one that decodes
+  /// fills them in. False: what was decoded names no class, or there are not `copies` copies.
   template <class Coder>
   bool code(Coder& coder, std::span<std::uint32_t> classes) {
-    for (std::size_t i = 0; i < corners_.size(); i += 3) {
-      const std::span<const std::uint32_t> face = corners_.subspan(i, 3);
-      for (const std::uint32_t v : face) {
-        if (done_[v]) continue;
-        gather(face, classes);
-        const bool copy = coder.bit(copy_[context(v)], classes[v] != v);
-        classes[v] = copy ? code_class(coder, v, classes[v]) : v;
-        if (classes[v] == unknown || classes[classes[v]] != classes[v]) return false;
-        done_[v] = true;
+    if constexpr (Coder::encodes) mark(classes);
+    if (!code_marks(coder)) return false;
+    if constexpr (!Coder::encodes) std::iota(classes.begin(), classes.end(), 0u);
+    list_neighbours();
+    const std::uint32_t count = static_cast<std::uint32_t>(on_cut_.size());
+    class_.resize(count);
+    ring_.resize(count);
+    std::uint32_t copies = 0;
+    unsigned before = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::uint32_t v = on_cut_[i];
+      class_[i] = ring_[i] = i;
+      const bool copy = coder.bit(copy_[before], classes[v] != v);
+      before = (before << 1 | copy) & 7;
+      if (!copy) continue;
+      if (copies++ == copies_) return false;
+      const std::uint32_t c = code_class(coder, i, place_[classes[v]]);
+      if (c >= i || class_[c] != c) return false;
+      class_[i] = last_ = c;
+      std::swap(ring_[i], ring_[c]);
+      classes[v] = on_cut_[c];
+    }
+    return copies == copies_;
+  }
+
+ private:
+  static constexpr std::uint32_t none = 0xffffffffu;
+  static constexpr unsigned most_listed =
+      16;  ///< neighbours of a vertex, so that hubs cost no more
+
+  void mark(std::span<const std::uint32_t> classes) {
+    marks_.resize(vertices_);
+    for (std::uint32_t v = 0; v < vertices_; ++v)
+      if (classes[v] != v) marks_[v] = marks_[classes[v]] = 1;
+  }
+
+  /// Which vertices are on cuts: by the distance to the next one where there were none lately, one
+  /// by one where there were.
+  template <class Coder>
+  bool code_marks(Coder& coder) {
+    marks_.resize(vertices_);
+    on_cut_.reserve(std::min<std::size_t>(vertices_, 2 * std::size_t(copies_)));
+    unsigned lately = 0;
+    for (std::uint32_t v = 0; v < vertices_; ++v) {
+      if (lately == 0) {
+        std::uint32_t gap = 0;
+        if constexpr (Coder::encodes)
+          while (v + gap < vertices_ && !marks_[v + gap]) ++gap;
+        gap = gap_.code(coder, gap);
+        if (gap > vertices_ - v) return false;
+        v += gap;
+        if (v == vertices_) return true;
+        marks_[v] = 1;
+      } else {
+        marks_[v] = coder.bit(mark_[lately], marks_[v]);
       }
-      for (unsigned j = 0; j < 3; ++j)
-        for (unsigned k = 1; k < 3; ++k) near_[classes[face[j]]].add(classes[face[(j + k) % 3]]);
+      lately = (lately << 1 | marks_[v]) & 15;
+      if (!marks_[v]) continue;
+      if (on_cut_.size() == 2 * std::uint64_t(copies_)) return false;
+      on_cut_.push_back(v);
     }
     return true;
   }
 
- private:
-  /// Classes seen beside one, the latest first.
-  struct alignas(64) Near {
-    std::array<std::uint32_t, 16> at;
-    Near() { at.fill(unknown); }
-    void add(std::uint32_t c) {
-      auto end = std::find(at.begin(), at.end() - 1, c);
-      std::copy_backward(at.begin(), end, end + 1);
-      at[0] = c;
+  /// Neighbours of vertices on cuts that are on cuts too.
+  void list_neighbours() {
+    const std::uint32_t count = static_cast<std::uint32_t>(on_cut_.size());
+    place_.resize(vertices_);
+    for (std::uint32_t i = 0; i < count; ++i) place_[on_cut_[i]] = i;
+    first_.assign(count, none);
+    listed_.assign(count, 0);
+    const auto list = [&](std::uint32_t a, std::uint32_t b) {
+      if (!marks_[a] || !marks_[b]) return;
+      const std::uint32_t i = place_[a];
+      if (listed_[i] == most_listed) return;
+      ++listed_[i];
+      neighbours_.push_back({place_[b], first_[i]});
+      first_[i] = static_cast<std::uint32_t>(neighbours_.size() - 1);
+    };
+    for (std::size_t h = 0; h < triangles_.size(); h += 3) {
+      const std::uint32_t a = triangles_[h], b = triangles_[h + 1], c = triangles_[h + 2];
+      if (marks_[a] + marks_[b] + marks_[c] < 2) continue;
+      list(a, b);
+      list(b, a);
+      list(b, c);
+      list(c, b);
+      list(c, a);
+      list(a, c);
     }
-    bool has(std::uint32_t c) const { return std::find(at.begin(), at.end(), c) != at.end(); }
-  };
-
-  /// What is known around the vertex to come: candidates, those beside two known corners first.
-  void gather(std::span<const std::uint32_t> face, std::span<const std::uint32_t> classes) {
-    known_ = copies_ = shared_ = 0;
-    candidates_ = 0;
-    std::array<std::uint32_t, 2> corners{};
-    for (const std::uint32_t w : face) {
-      if (!done_[w] || known_ == 2) continue;
-      copies_ += classes[w] != w;
-      corners[known_++] = classes[w];
-    }
-    if (known_ == 2)
-      for (const std::uint32_t c : near_[corners[1]].at)
-        if (c != unknown && c != corners[0] && near_[corners[0]].has(c))
-          candidate_[candidates_++] = c;
-    shared_ = candidates_;
-    for (unsigned k = known_; k-- > 0;)
-      for (const std::uint32_t c : near_[corners[k]].at) {
-        const auto end = candidate_.begin() + candidates_;
-        if (c != unknown && c != corners[0] && (known_ < 2 || c != corners[1]) &&
-            std::find(candidate_.begin(), end, c) == end)
-          candidate_[candidates_++] = c;
-      }
   }
 
-  unsigned context(std::uint32_t v) const {
-    const bool interior = turns_[v] == 0;
-    return ((interior * 3 + known_) * 3 + copies_) * 2 + (shared_ > 0);
+  template <class Visit>
+  void for_each_neighbour(std::uint32_t i, Visit visit) const {
+    for (std::uint32_t k = first_[i]; k != none; k = neighbours_[k].next)
+      visit(neighbours_[k].place);
+  }
+
+  /// Classes beside other members of the classes of known neighbours: first what is beside two of
+  /// them.
+  void gather(std::uint32_t i) {
+    candidates_ = both_ = 0;
+    std::array<std::uint32_t, 2> known{none, none};
+    unsigned count = 0;
+    for_each_neighbour(i, [&](std::uint32_t w) {
+      if (w >= i || count == 2 || ring_[w] == w || class_[w] == known[0]) return;
+      known[count] = class_[w];
+      unsigned members = 4;
+      const unsigned end = count == 1 ? candidates_ : 0;
+      for (std::uint32_t m = ring_[w]; m != w && members > 0; m = ring_[m], --members)
+        for_each_neighbour(m, [&](std::uint32_t x) {
+          if (x >= i) return;
+          const std::uint32_t c = class_[x];
+          if (c == known[0] || c == known[1]) return;
+          unsigned k = 0;
+          while (k < candidates_ && candidate_[k] != c) ++k;
+          if (k == candidates_) {
+            if (candidates_ < candidate_.size()) candidate_[candidates_++] = c;
+          } else if (k < end && k >= both_) {
+            std::swap(candidate_[k], candidate_[both_++]);
+          }
+        });
+      ++count;
+    });
   }
 
   template <class Coder>
-  std::uint32_t code_class(Coder& coder, std::uint32_t v, std::uint32_t value) {
-    for (unsigned i = 0; i < candidates_; ++i) {
-      const bool beside_both = i < shared_;
-      const unsigned rank = std::min(beside_both ? i : i - shared_, 7u);
-      if (coder.bit(taken_[beside_both][turns_[v] == 0][rank], value == candidate_[i])) {
-        return last_ = candidate_[i];
-      }
+  std::uint32_t code_class(Coder& coder, std::uint32_t i, std::uint32_t value) {
+    gather(i);
+    for (unsigned k = 0; k < candidates_; ++k) {
+      const std::uint32_t c = candidate_[k];
+      const bool beside_both = k < both_, has_copies = ring_[c] != c;
+      const unsigned rank = std::min(beside_both ? k : k - both_, 7u);
+      if (coder.bit(taken_[beside_both][has_copies][rank], value == c)) return c;
     }
-    const std::uint32_t c = code_from(coder, far_, last_, value);
-    if (c >= done_.size() || !done_[c]) return unknown;
-    return last_ = c;
+    return code_from(coder, far_, last_, value);
   }
 
-  std::span<const std::uint32_t> corners_;
-  std::vector<std::uint32_t> turns_;  ///< 0: interior, as far as a context needs to know
-  std::vector<Near> near_;
-  std::vector<bool> done_;
-  std::array<std::uint32_t, 32> candidate_{};
-  unsigned known_ = 0, copies_ = 0, candidates_ = 0, shared_ = 0;
+  std::span<const std::uint32_t> triangles_;
+  const std::uint32_t vertices_, copies_;
+  std::vector<std::uint8_t> marks_;    ///< of each vertex: it is on a cut
+  std::vector<std::uint32_t> on_cut_;  ///< the vertices on cuts, ascending
+  std::vector<std::uint32_t> place_;   ///< in `on_cut_`, of each vertex there
+  // By place:
+  std::vector<std::uint32_t> first_;  ///< of the list of neighbours
+  std::vector<std::uint8_t> listed_;  ///< how many neighbours
+  std::vector<std::uint32_t> class_;  ///< place of the least vertex
+  std::vector<std::uint32_t> ring_;   ///< the next known member of the class
+  std::vector<Neighbour> neighbours_;
+  std::array<std::uint32_t, 24> candidate_{};
+  unsigned candidates_ = 0, both_ = 0;
   std::uint32_t last_ = 0;
-  BitModel copy_[36];
+  BitModel mark_[16], copy_[8];
   BitModel taken_[2][2][8];
-  NumberModel far_;
+  NumberModel far_, gap_;
 };
 
 /// Numbers of mesh vertices from classes: those that name their class, in their order. Returns how

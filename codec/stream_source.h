@@ -22,7 +22,7 @@ namespace clers {
 template <class Model>
 class StreamSource {
  public:
-  static constexpr bool resolves = false;
+  static constexpr bool knows_vertices = false;
 
   /// `letters` is what the model is made from.
   template <class... Letters>
@@ -67,10 +67,9 @@ class StreamSource {
     DecodeFrom coder(in_);
     return events_.special(coder, false);
   }
-  template <class Front, class Gate>
-  SpecialS kind(const Front&, const Gate&, std::span<const std::uint32_t> waiting) {
+  SpecialS kind(bool any_waiting) {
     DecodeFrom coder(in_);
-    const SpecialS kind = events_.kind(coder, !waiting.empty(), SpecialS::hole);
+    const SpecialS kind = events_.kind(coder, any_waiting, SpecialS::hole);
     counts.coded_holes += kind == SpecialS::hole;
     counts.handles += kind == SpecialS::join;
     return kind;

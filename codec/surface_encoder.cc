@@ -1,13 +1,13 @@
 #include "codec/surface_encoder.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "codec/adjacency.h"
 #include "codec/cut.h"
 #include "codec/mesh_features.h"
 #include "codec/polygons.h"
+#include "codec/repeated_faces.h"
 #include "codec/stitching.h"
 #include "codec/turned_faces.h"
 
@@ -22,8 +22,21 @@ struct SurfaceFaces {
   const CutSurface* cut = nullptr;
 };
 
-/// Faces that a decoder turns back, in the new order.
-void put_turned(const std::vector<bool>& turned, EncodedSurface& out) {
+/// Corner j of a face of `size` corners is what in the face turned back?
+std::uint32_t turned_back(std::uint32_t j, std::uint32_t size) {
+  return (size - j) % size;
+}
+
+/// Reversed faces, which a decoder turns back, in the new order.
+void put_turned(const Faces& faces, std::span<const std::uint32_t> reversed, EncodedSurface& out) {
+  if (reversed.empty()) return;
+  std::vector<bool> turned(faces.count());
+  for (const std::uint32_t f : reversed) turned[f] = true;
+  for (std::uint32_t i = 0; i < out.order.faces.size(); ++i) {
+    const std::uint32_t f = out.order.faces[i];
+    if (turned[f])
+      out.order.first_corners[i] = turned_back(out.order.first_corners[i], faces.size(f));
+  }
   rans::Encoder stream;
   EncodeTo coder(stream);
   TurnedModel model;
@@ -32,12 +45,11 @@ void put_turned(const std::vector<bool>& turned, EncodedSurface& out) {
     if (!turned[out.order.faces[i]]) continue;
     const std::uint32_t first = i;
     while (i < out.order.faces.size() && turned[out.order.faces[i]]) ++i;
-    model.code(coder, {first, i - first}, end);
+    out.runs.push_back({first, i - first});
+    model.code(coder, out.runs.back(), end);
     end = i;
-    ++out.turned_runs;
     out.turned_faces += i - first;
   }
-  if (out.turned_runs == 0) return;
   out.features |= feature::turned;
   stream.finish(out.turned);
 }
@@ -58,39 +70,29 @@ void put_sizes(const Faces& faces, std::span<const std::uint32_t> gates, Encoded
 }
 
 /// Makes one vertex again of those that are copies of each other. `vertices` are those of the
-/// surface in the coded order.
-void put_stitches(const CutSurface& cut, std::span<const std::uint32_t> vertices,
+/// surface in the coded order, `number` is their inverse.
+void put_stitches(const SurfaceFaces& surface, std::span<const std::uint32_t> vertices,
                   EncodedSurface& out) {
+  const CutSurface& cut = *surface.cut;
   const std::uint32_t count = static_cast<std::uint32_t>(vertices.size());
-  std::vector<std::uint32_t> classes(count, Stitching::unknown);
-  {
-    const std::uint32_t points =
-        cut.point.empty() ? 0 : *std::max_element(cut.point.begin(), cut.point.end()) + 1;
-    std::vector<std::uint32_t> first(points, Stitching::unknown);
-    for (const std::uint32_t v : out.triangles) {
-      std::uint32_t& c = first[cut.point[vertices[v]]];
-      if (c == Stitching::unknown) c = v;
-      classes[v] = c;
-    }
+  const std::uint32_t inputs = surface.vertex_count - static_cast<std::uint32_t>(cut.copied.size());
+  const auto point = [&](std::uint32_t v) { return v < inputs ? v : cut.copied[v - inputs]; };
+  out.copies = cut.copied.size();
+  out.features |= feature::copies;
+  std::vector<std::uint32_t> classes(count), first(inputs, Vertex::null_index);
+  for (std::uint32_t v = 0; v < count; ++v) {
+    std::uint32_t& c = first[point(vertices[v])];
+    if (c == Vertex::null_index) c = v;
+    classes[v] = c;
   }
-  std::vector<std::uint32_t> numbers = classes;
-  const std::uint32_t points = number_classes(numbers);
-  out.copies = count - points;
-  if (out.copies > 0) {
-    out.features |= feature::copies;
-    rans::Encoder stream;
-    EncodeTo coder(stream);
-    Stitching(out.triangles, count).code(coder, classes);
-    stream.finish(out.stitches);
-  }
+  rans::Encoder stream;
+  EncodeTo coder(stream);
+  Stitching(out.triangles, count, static_cast<std::uint32_t>(out.copies)).code(coder, classes);
+  stream.finish(out.stitches);
+  const std::uint32_t points = number_classes(classes);
   out.order.vertices.resize(points);
-  for (std::uint32_t v = 0; v < count; ++v) out.order.vertices[numbers[v]] = cut.point[vertices[v]];
-  for (std::uint32_t& v : out.triangles) v = numbers[v];
-}
-
-/// Corner j of a face of `size` corners is what in the face turned back?
-std::uint32_t turned_back(std::uint32_t j, std::uint32_t size) {
-  return (size - j) % size;
+  for (std::uint32_t n = count; n-- > 0;) out.order.vertices[classes[n]] = point(vertices[n]);
+  for (std::uint32_t& v : out.triangles) v = classes[v];
 }
 
 Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, bool with_triangles) {
@@ -123,18 +125,11 @@ Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, bo
       first_corners[i] = fans.gates[i] - faces.begin(order[i]);
     }
   }
-  if (surface.cut) {
-    for (std::uint32_t i = 0; i < order.size(); ++i) {
-      const std::uint32_t f = order[i], size = faces.size(f), input = surface.cut->faces[f];
-      const std::uint32_t corner = (surface.cut->first_corners[f] + first_corners[i]) % size;
-      order[i] = input;
-      first_corners[i] = surface.cut->turned[input] ? turned_back(corner, size) : corner;
-    }
-  }
-  if (surface.cut) put_turned(surface.cut->turned, out);
+  if (surface.cut) put_turned(faces, surface.cut->reversed, out);
   if (!faces.triangles()) put_sizes(faces, fans.gates, out);
 
-  if (with_triangles) {
+  const bool copies = surface.cut && !surface.cut->copied.empty();
+  if (with_triangles || copies) {
     std::vector<std::uint32_t> number(surface.vertex_count);
     for (std::uint32_t i = 0; i < coded->vertices.size(); ++i) number[coded->vertices[i]] = i;
     out.triangles.reserve(arrays.org.size());
@@ -142,67 +137,93 @@ Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, bo
       for (unsigned side = 0; side < 3; ++side, h = lnext(h))
         out.triangles.push_back(number[arrays.org[h.index()]]);
   }
-  if (surface.cut)
-    put_stitches(*surface.cut, coded->vertices, out);
+  if (copies)
+    put_stitches(surface, coded->vertices, out);
   else
     out.order.vertices = std::move(coded->vertices);
   out.connectivity = std::move(coded->bytes);
   out.counts = coded->counts;
-  out.settled = !surface.cut || surface.cut->order_free;
   return out;
 }
 
-Expected<EncodedSurface> encode_cut(const Faces& faces, std::uint32_t vertex_count, int level) {
-  const auto encoded = [&](Handles handles) {
-    CutSurface surface = cut(faces, vertex_count, handles);
-    return encode_faces({Faces(surface.corners, surface.sizes), surface.twins,
-                         static_cast<std::uint32_t>(surface.point.size()), &surface},
-                        level, true);
-  };
-  auto coded = encoded(Handles::keep);
-  // Where handles would cost a decoder more steps than the format allows, there must be none.
-  if (!coded && coded.error().code == ErrorCode::limit) return encoded(Handles::cut);
-  return coded;
+/// Encodes faces that repeat none.
+Expected<EncodedSurface> encode_distinct(const Faces& faces, std::span<const std::uint32_t> sizes,
+                                         Adjacency adjacency, std::uint32_t vertex_count, int level,
+                                         bool with_triangles) {
+  if (adjacency.ends.empty()) {
+    // Whether a vertex has several fans shows while the surface is unbuilt, and costs nothing till
+    // then.
+    auto coded = encode_faces({faces, adjacency.twins, vertex_count}, level, with_triangles);
+    if (coded || coded.error().code != ErrorCode::nonmanifold_vertex) return coded;
+    adjacency = match_edges(faces, vertex_count);
+  }
+  CutSurface surface = cut(faces, vertex_count, std::move(adjacency));
+  return encode_faces({Faces(surface.corners, sizes), surface.twins,
+                       vertex_count + static_cast<std::uint32_t>(surface.copied.size()), &surface},
+                      level, with_triangles);
 }
 
-/// Corners and sizes of faces as a decoder will give them.
-struct Decoded {
-  std::vector<std::uint32_t> corners, sizes;
+/// Faces without those that repeat others.
+struct DistinctFaces {
+  DistinctFaces(const Faces& all, std::span<const Repeat> repeats) {
+    const std::size_t count = all.count() - repeats.size();
+    faces.reserve(count);
+    if (!all.triangles()) sizes.reserve(count);
+    auto next = repeats.begin();
+    for (std::uint32_t f = 0; f < all.count(); ++f) {
+      if (next != repeats.end() && next->face == f) {
+        ++next;
+        continue;
+      }
+      const auto cycle = all.cycle(f);
+      corners.insert(corners.end(), cycle.begin(), cycle.end());
+      if (!all.triangles()) sizes.push_back(all.size(f));
+      faces.push_back(f);
+    }
+  }
+  std::vector<std::uint32_t> faces, corners, sizes;
 };
-Decoded decoded(const Faces& faces, std::uint32_t vertex_count, const Permutation& order) {
-  Decoded result;
-  std::vector<std::uint32_t> number(vertex_count);
-  for (std::uint32_t i = 0; i < order.vertices.size(); ++i) number[order.vertices[i]] = i;
-  result.corners.reserve(faces.org.size());
-  for (std::size_t i = 0; i < order.faces.size(); ++i) {
-    const auto cycle = faces.cycle(order.faces[i]);
-    std::size_t j = order.first_corners[i];
-    for (std::size_t k = 0; k < cycle.size(); ++k, j = j + 1 == cycle.size() ? 0 : j + 1)
-      result.corners.push_back(number[cycle[j]]);
-    if (!faces.triangles()) result.sizes.push_back(static_cast<std::uint32_t>(cycle.size()));
-  }
-  return result;
-}
 
-/// `second` tells the order of what `first` has made.
-Permutation composed(const Permutation& first, Permutation second, const Faces& faces) {
-  for (std::uint32_t& v : second.vertices) v = first.vertices[v];
-  for (std::size_t i = 0; i < second.faces.size(); ++i) {
-    const std::uint32_t before = second.faces[i], f = first.faces[before];
-    second.faces[i] = f;
-    second.first_corners[i] =
-        (second.first_corners[i] + first.first_corners[before]) % faces.size(f);
-  }
-  return second;
-}
+/// Appends the faces that repeat others. `out` has those that do not, by their numbers in `all`.
+void put_repeats(const Faces& all, std::span<const Repeat> repeats, EncodedSurface& out) {
+  const auto surface_faces = static_cast<std::uint32_t>(out.order.faces.size());
+  std::vector<std::uint32_t> place(all.count());
+  for (std::uint32_t i = 0; i < surface_faces; ++i) place[out.order.faces[i]] = i;
+  std::vector<bool> turned(surface_faces);
+  for (const TurnedRun& run : out.runs)
+    for (std::uint32_t i = 0; i < run.count; ++i) turned[run.first + i] = true;
 
-Bytes bytes_of(const EncodedSurface& s) {
-  Bytes all;
-  for (const Bytes* part : {&s.turned, &s.polygons, &s.stitches, &s.connectivity}) {
-    put_varint(all, part->size());
-    put_bytes(all, *part);
+  struct Coming {
+    RepeatModel::Code code;
+    std::uint32_t face, first_corner;
+  };
+  std::vector<Coming> coming;
+  coming.reserve(repeats.size());
+  for (const auto& [face, base] : repeats) {
+    const std::uint32_t at = place[base], size = all.size(face);
+    const auto cycle = all.cycle(face), base_cycle = all.cycle(base);
+    const std::uint32_t first = out.order.first_corners[at];
+    const auto begin = static_cast<std::uint32_t>(
+        std::find(cycle.begin(), cycle.end(), base_cycle[first]) - cycle.begin());
+    const bool same = cycle[(begin + 1) % size] == base_cycle[(first + 1) % size];
+    coming.push_back({{at, same == turned[at]}, face, begin});
   }
-  return all;
+  std::sort(coming.begin(), coming.end(), [](const Coming& a, const Coming& b) {
+    if (a.code.base != b.code.base) return a.code.base < b.code.base;
+    return a.code.reversed != b.code.reversed ? b.code.reversed : a.face < b.face;
+  });
+  rans::Encoder stream;
+  EncodeTo coder(stream);
+  RepeatModel model;
+  for (const Coming& c : coming) {
+    model.code(coder, c.code);
+    out.order.faces.push_back(c.face);
+    out.order.first_corners.push_back(c.first_corner);
+    out.repeated_corners += all.size(c.face);
+  }
+  stream.finish(out.repeats);
+  out.repeated_faces = repeats.size();
+  out.features |= feature::repeats;
 }
 
 }  // namespace
@@ -211,51 +232,18 @@ Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
                                         std::span<const std::uint32_t> sizes,
                                         std::uint32_t vertex_count, int level,
                                         bool with_triangles) {
-  const Faces faces(corners, sizes);
-  if (auto twins = find_twins(faces, vertex_count)) {
-    auto coded = encode_faces({faces, *twins, vertex_count}, level, with_triangles);
-    if (coded || (coded.error().code != ErrorCode::nonmanifold_vertex &&
-                  coded.error().code != ErrorCode::limit))
-      return coded;
-  }
-
-  // Coding what was coded leads into a circle, nearly always of one. From wherever one comes, the
-  // one with the least bytes on the circle is taken.
-  auto coded = encode_cut(faces, vertex_count, level);
-  if (!coded || coded->settled) return coded;
-  std::vector<Bytes> history = {bytes_of(*coded)};
-  // Circles can be long where all faces look alike, as in ten triangles on the same three vertices.
-  const std::size_t most_rounds = std::max<std::size_t>(16, (1u << 15) / corners.size());
-  const Bytes* goal = nullptr;
-  for (std::size_t round = 1; round < 2 * most_rounds; ++round) {
-    if (goal && bytes_of(*coded) == *goal) break;
-    const Decoded again = decoded(faces, vertex_count, coded->order);
-    const Faces again_faces(again.corners, again.sizes);
-    auto next =
-        encode_cut(again_faces, static_cast<std::uint32_t>(coded->order.vertices.size()), level);
-    if (!next) return next;
-    next->order = composed(coded->order, std::move(next->order), faces);
-    coded = std::move(next);
-    if (goal) continue;
-    Bytes bytes = bytes_of(*coded);
-    const auto seen = std::find(history.begin(), history.end(), bytes);
-    if (seen != history.end())
-      goal = &*std::min_element(seen, history.end(), [](const Bytes& a, const Bytes& b) {
-        return a.size() != b.size() ? a.size() < b.size() : a < b;
-      });
-    else if (history.size() == most_rounds)
-      break;
-    else
-      history.push_back(std::move(bytes));
-  }
-  // A surface with symmetries may come back to itself renumbered. Values and loose faces must not.
-  const Decoded result = decoded(faces, vertex_count, coded->order);
-  if (std::equal(result.corners.begin(), result.corners.end(), corners.begin(), corners.end()) &&
-      std::equal(result.sizes.begin(), result.sizes.end(), sizes.begin(), sizes.end())) {
-    std::iota(coded->order.vertices.begin(), coded->order.vertices.end(), 0u);
-    std::iota(coded->order.faces.begin(), coded->order.faces.end(), 0u);
-    std::fill(coded->order.first_corners.begin(), coded->order.first_corners.end(), 0u);
-  }
+  const Faces all(corners, sizes);
+  Adjacency adjacency = match_edges(all, vertex_count);
+  const std::vector<Repeat> repeats = find_repeats(all, adjacency);
+  if (repeats.empty())
+    return encode_distinct(all, sizes, std::move(adjacency), vertex_count, level, with_triangles);
+  const DistinctFaces distinct(all, repeats);
+  const Faces faces(distinct.corners, distinct.sizes);
+  auto coded = encode_distinct(faces, distinct.sizes, match_edges(faces, vertex_count),
+                               vertex_count, level, with_triangles);
+  if (!coded) return coded;
+  for (std::uint32_t& f : coded->order.faces) f = distinct.faces[f];
+  put_repeats(all, repeats, *coded);
   return coded;
 }
 

@@ -11,25 +11,25 @@
 #include "codec/encode.h"
 #include "codec/error.h"
 #include "codec/faces.h"
+#include "codec/turned_faces.h"
 
 namespace clers {
 
 /// A coded surface, and how it numbers what it is made of.
 struct EncodedSurface {
   std::uint32_t features = 0;
-  std::uint64_t copies = 0, turned_runs = 0, turned_faces = 0;
-  Bytes turned, polygons, stitches;  ///< streams, where there are any
+  std::uint64_t copies = 0, turned_faces = 0;
+  std::uint64_t repeated_faces = 0, repeated_corners = 0;
+  std::vector<TurnedRun> runs;                ///< of turned faces
+  Bytes turned, polygons, stitches, repeats;  ///< streams, where there are any
   Bytes connectivity;
   ConnectivityCounts counts;
-  bool settled = false;                  ///< what is decoded will be coded to the same bytes
   Permutation order;                     ///< vertices: only those that the surface has
   std::vector<std::uint32_t> triangles;  ///< of the surface, by new vertices of the mesh, all
                                          ///< running one way; left out if nobody wants them
 };
 
-/// Encodes faces, cutting them where they are no oriented manifold. What is coded, once decoded, is
-/// coded to the same bytes again: where cuts depend on the order of the faces, the faces are coded
-/// in the order that comes of it, until nothing changes.
+/// Encodes faces, cutting them where they are no oriented manifold.
 /// Precondition: every face has three corners or more, repeats no vertex, and vertices are below
 /// vertex_count. Errors: out_of_memory. Throws std::bad_alloc.
 Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,

@@ -72,6 +72,11 @@ enum class Ends {
 /// memory: three layers of samples and the result.
 Mesh gyroid(std::uint32_t x, std::uint32_t y, std::uint32_t z, std::uint32_t resolution, Ends ends);
 
+/// A scaffold (lattice.cc): n^3 cubes, and tubes between neighbours in place of the sides that face
+/// each other. 24 n^3 - 12 n^2 triangles, of genus 3 n^2 (n-1) - n^3 + 1: a handle for every
+/// twelve. Precondition: n at least 1.
+Mesh lattice(std::uint32_t n);
+
 // Arrangement (arrange.cc). These take meshes of any kind, polygons included.
 // -------------------------------
 
@@ -87,6 +92,25 @@ Mesh disjoint_union(std::span<const Mesh> meshes);
 /// The disjoint union of n copies, all at the same place.
 Mesh copies(const Mesh& mesh, std::uint32_t n);
 
+// Defects (defects.cc): what keeps a mesh from being a surface.
+// -----------------------------------------------------------
+
+/// Every face twice. Takes meshes of any kind.
+Mesh doubled(const Mesh& mesh);
+
+/// Every face both ways round. Takes meshes of any kind.
+Mesh two_sided(const Mesh& mesh);
+
+/// Triangles at `count` random edges, each with a vertex of its own: edges of three faces and more.
+/// Keeps positions only. Precondition: triangles; one at least.
+Mesh add_fins(const Mesh& mesh, std::uint32_t count, std::uint64_t seed);
+
+/// `count` random faces the other way round, or all. Precondition: triangles, no values of corners.
+Mesh reverse_some(Mesh mesh, std::uint32_t count, std::uint64_t seed);
+
+/// `count` vertices more, which no face uses. Keeps positions only. Precondition: triangles.
+Mesh isolate(const Mesh& mesh, std::uint32_t count);
+
 // Soups (soups.cc): meshes that need not be surfaces.
 // -------------------------------------------------------
 
@@ -101,6 +125,15 @@ Mesh fan(std::uint32_t n);
 
 /// n triangles at the edge 0 1. Every one of them runs along it from 0 to 1.
 Mesh book(std::uint32_t n);
+
+/// The triangle (0,1,2), n times.
+Mesh same_triangle(std::uint32_t n);
+
+/// A triangle for any three of n vertices: n (n-1) (n-2) / 6.
+Mesh all_triples(std::uint32_t n);
+
+/// n triangles that share vertex 0 and nothing else.
+Mesh pinched_hub(std::uint32_t n);
 
 /// The black fields of a chessboard of size x size fields, two triangles each: they meet in
 /// vertices only.

@@ -118,7 +118,7 @@ class Cook {
   }
 
   static Function named(std::string_view name) {
-    const std::array<std::pair<std::string_view, Function>, 21> functions = {{
+    const std::array<std::pair<std::string_view, Function>, 30> functions = {{
         {"single_triangle", takes(single_triangle)},
         {"glued_pair", takes(glued_pair)},
         {"tetrahedron", takes(tetrahedron)},
@@ -130,10 +130,19 @@ class Cook {
         {"flip_edges", takes(flip_edges)},
         {"punch_holes", takes(punch_holes)},
         {"gyroid", takes(gyroid)},
+        {"lattice", takes(lattice)},
         {"shuffle", takes(shuffle)},
         {"reversed", takes(reversed)},
         {"disjoint_union", takes(union_of_two)},
         {"copies", takes(copies)},
+        {"doubled", takes(doubled)},
+        {"two_sided", takes(two_sided)},
+        {"add_fins", takes(add_fins)},
+        {"reverse_some", takes(reverse_some)},
+        {"isolate", takes(isolate)},
+        {"same_triangle", takes(same_triangle)},
+        {"all_triples", takes(all_triples)},
+        {"pinched_hub", takes(pinched_hub)},
         {"random_soup", takes(random_soup)},
         {"fan", takes(fan)},
         {"book", takes(book)},

@@ -62,6 +62,36 @@ Mesh book(std::uint32_t n) {
   return make_mesh(points, std::move(corners));
 }
 
+Mesh same_triangle(std::uint32_t n) {
+  Mesh mesh = single_triangle();
+  mesh.corners.resize(std::size_t{3} * n);
+  for (std::size_t c = 0; c < mesh.corners.size(); ++c)
+    mesh.corners[c] = static_cast<std::uint32_t>(c % 3);
+  return mesh;
+}
+
+Mesh all_triples(std::uint32_t n) {
+  Points points(n);
+  std::vector<std::uint32_t> corners;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    points.add(i, double(i) * i, i % 7);
+    for (std::uint32_t j = i + 1; j < n; ++j)
+      for (std::uint32_t k = j + 1; k < n; ++k) corners.insert(corners.end(), {i, j, k});
+  }
+  return make_mesh(points, std::move(corners));
+}
+
+Mesh pinched_hub(std::uint32_t n) {
+  Points points(std::size_t{2} * n + 1);
+  points.add(0, 0, 0);
+  std::vector<std::uint32_t> corners;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t a = points.add(1, i, 0), b = points.add(1, i, 1);
+    corners.insert(corners.end(), {0, a, b});
+  }
+  return make_mesh(points, std::move(corners));
+}
+
 Mesh chessboard(std::uint32_t size) {
   Mesh board = grid(size, size);
   std::vector<std::uint32_t> black;

@@ -69,9 +69,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  clers::DecodeOptions options;
-  options.limits.memory = std::uint64_t(64) << 20;
-  options.limits.faces = options.limits.vertices = 1u << 20;
+  const clers::DecodeOptions options;  // the limits that every user has
   const auto bytes = std::as_bytes(std::span(data, size));
   auto meshes = clers::decode(bytes, options);
   std::size_t faces = 0;
@@ -101,6 +99,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(into.ok() == meshes->front().triangles_only());
     require(!into.ok() || corners == meshes->front().corners);
   }
-  require(clers::inspect(bytes).ok());
+  // Measuring takes more memory than decoding.
+  const auto info = clers::inspect(bytes);
+  require(info.ok() || info.error().limited == clers::Limited::memory);
   return 0;
 }

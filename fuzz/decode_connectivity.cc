@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "codec/budget.h"
 #include "codec/connectivity.h"
 
 namespace {
@@ -18,7 +19,12 @@ void require(bool yes) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto bytes = std::as_bytes(std::span(data, size));
   auto header = clers::read_connectivity_header(bytes, 0);
-  if (!header || header->faces > (1u << 16)) return 0;
+  if (!header) return 0;
+  const std::uint64_t corner_count = 3 * std::uint64_t(header->faces);
+  const clers::Budget budget({}, size);
+  if (!budget.check(corner_count * (2 * sizeof(std::uint32_t) + sizeof(clers::HalfEdge)) +
+                    clers::connectivity_memory(*header, true)))
+    return 0;
   std::vector<std::uint32_t> corners(3 * std::size_t(header->faces)), again(corners.size());
   std::vector<clers::HalfEdge> twins(corners.size());
   auto counts = clers::decode_connectivity(bytes, 0, *header, corners, twins);

@@ -1,4 +1,5 @@
-// Any faces are coded and come back, twice to the same bytes; what comes back is coded to them too.
+// Any faces are coded and come back, twice to the same bytes; what comes back of a manifold is
+// coded to them too.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
@@ -116,6 +117,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto compared = clers::compare(mesh, out->front());
   require(compared.ok() && compared->verdict != clers::Verdict::different);
   if (options.order == clers::Order::keep) require(out->front().corners == mesh.corners);
+  const auto shape = clers::measure(mesh);
+  require(shape.ok());
+  if (shape->nonmanifold_edges + shape->nonmanifold_vertices + shape->misoriented_edges +
+          shape->degenerate_faces >
+      0)
+    return 0;
   const auto from_decoded = clers::encode(*out, options);
   require(from_decoded.ok() && from_decoded->bytes == coded->bytes);
   return 0;

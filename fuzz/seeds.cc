@@ -105,6 +105,13 @@ bool write_all(const std::filesystem::path& root) {
     for (unsigned i = 0; i < 40 + 10 * kind; ++i) bytes.push_back(std::byte(i * (37 + 2 * kind)));
     ok = ok && write(root / "round_trip" / std::to_string(kind), bytes);
   }
+  // So does legal_streams: level, then choices.
+  for (unsigned kind = 0; kind < 16; ++kind) {
+    std::vector<std::byte> bytes = {std::byte(kind)};
+    for (unsigned i = 0; i < 30 + 40 * kind; ++i)
+      bytes.push_back(std::byte(i * i * (2 * kind + 1) >> kind % 5));
+    ok = ok && write(root / "legal_streams" / std::to_string(kind), bytes);
+  }
   return ok;
 }
 

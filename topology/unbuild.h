@@ -42,16 +42,20 @@ class Unbuilding {
     twins_[h.index()] = HalfEdge();
   }
 
+  /// And this, from detach, in place of the next one's.
+  HalfEdge note(Face f) const { return twins_[half_edge(f, 1).index()]; }
+
   /// Paper §6.4, with the destroy after the loop. The side left of the gate goes first, then the
-  /// one right of it: the opposite order of attach, then zip or glue. Precondition: the gate is on
-  /// the boundary.
-  void detach(HalfEdge gate) {
+  /// one right of it: the opposite order of attach, then zip or glue. The face keeps a note.
+  /// Precondition: the gate is on the boundary.
+  void detach(HalfEdge gate, HalfEdge note) {
     const HalfEdge left_side = lprev(gate), right_side = lnext(gate);
     if (!is_boundary(left_side)) unglue(left_side);
     if (!is_boundary(right_side)) unglue(right_side);
     const Face f = left(gate);
     witness_->destroy(f);
     twins_[half_edge(f, 0).index()] = destroyed_mark;
+    twins_[half_edge(f, 1).index()] = note;
   }
 
  private:

@@ -30,7 +30,7 @@ class Cells {
     fill(sides_[1], classes_b);
     for (Index i = 0, j; i < a.size(); i = j) {
       for (j = i; j < a.size() && classes_a[j].first == classes_a[i].first; ++j)
-        for (OneSide& side : sides_) side.cell[side.order[j]] = count();
+        for (OneSide& side : sides_) side.at[side.order[j]].cell = count();
       add(i, j);
       wait(count() - 1);
     }
@@ -59,13 +59,15 @@ class Cells {
   /// Counts an element, which the next split() goes by.
   void touch(std::size_t s, Index e) {
     OneSide& side = sides_[s];
-    if (side.touches[e]++ > 0) return;
-    const Index x = side.cell[e];
+    Element& element = side.at[e];
+    if (element.touches++ > 0) return;
+    const Index x = element.cell;
     if (marked_[0][x] + marked_[1][x] == 0) touched_.push_back(x);
-    const Index to = end_[x] - ++marked_[s][x], from = side.at[e];
+    const Index to = end_[x] - ++marked_[s][x], from = element.place;
+    if (from == to) return;
     const Index other = side.order[to];
-    side.order[from] = other, side.at[other] = from;
-    side.order[to] = e, side.at[e] = to;
+    side.order[from] = other, side.at[other].place = from;
+    side.order[to] = e, element.place = to;
   }
 
   /// Parts the cells by how often their elements were touched. False if the meshes differ in that.
@@ -91,13 +93,18 @@ class Cells {
     while (!recent_.empty() && size(recent_.back()) == 1) recent_.pop_back();
     return recent_.empty() ? none : recent_.back();
   }
+  /// Says that any element of the ambiguous() cell may become any other.
+  void leave_ambiguous() { recent_.pop_back(); }
 
  private:
+  struct Element {
+    Index place = 0;  // in the order
+    Index cell = 0;
+    Index touches = 0;  // since the last split
+  };
   struct OneSide {
-    std::vector<Index> order;    // the elements, cell by cell
-    std::vector<Index> at;       // of each element: its place in the order
-    std::vector<Index> cell;     // of each element
-    std::vector<Index> touches;  // of each element, since the last split
+    std::vector<Index> order;  // the elements, cell by cell
+    std::vector<Element> at;   // of each element
   };
 
   static void fill(OneSide& side, const Classes& sorted) {
@@ -105,10 +112,8 @@ class Cells {
     side.at.resize(sorted.size());
     for (Index i = 0; i < sorted.size(); ++i) {
       side.order[i] = sorted[i].second;
-      side.at[sorted[i].second] = i;
+      side.at[sorted[i].second].place = i;
     }
-    side.cell.resize(sorted.size());
-    side.touches.resize(sorted.size());
   }
 
   void add(Index begin, Index end) {
@@ -130,7 +135,7 @@ class Cells {
   bool split(Index x, Index low) {
     const Index begin = begin_[x], end = end_[x];
     const auto touches = [&](std::size_t s, Index i) {
-      return sides_[s].touches[sides_[s].order[i]];
+      return sides_[s].at[sides_[s].order[i]].touches;
     };
     for (std::size_t s = 0; s < 2; ++s) {
       OneSide& side = sides_[s];
@@ -138,8 +143,8 @@ class Cells {
       for (Index i = low + 1; i < end && equal; ++i) equal = touches(s, i) == touches(s, low);
       if (equal) continue;
       std::sort(side.order.begin() + low, side.order.begin() + end,
-                [&](Index e, Index f) { return side.touches[e] < side.touches[f]; });
-      for (Index i = low; i < end; ++i) side.at[side.order[i]] = i;
+                [&](Index e, Index f) { return side.at[e].touches < side.at[f].touches; });
+      for (Index i = low; i < end; ++i) side.at[side.order[i]].place = i;
     }
     parts_.clear();
     if (low > begin) parts_.push_back(begin);
@@ -152,7 +157,7 @@ class Cells {
       if (i == low || touches(0, i) != touches(0, i - 1)) parts_.push_back(i);
     }
     for (Index i = low; i < end; ++i)
-      for (OneSide& side : sides_) side.touches[side.order[i]] = 0;
+      for (OneSide& side : sides_) side.at[side.order[i]].touches = 0;
     if (parts_.size() == 1) return true;
     parts_.push_back(end);
 
@@ -168,7 +173,7 @@ class Cells {
       const Index y = count();
       add(parts_[p], parts_[p + 1]);
       for (Index i = parts_[p]; i < parts_[p + 1]; ++i)
-        for (OneSide& side : sides_) side.cell[side.order[i]] = y;
+        for (OneSide& side : sides_) side.at[side.order[i]].cell = y;
       if (p != largest || whole_waits) wait(y);
     }
     return true;
@@ -231,13 +236,18 @@ class Refinement {
   Comparison run(std::vector<Index>& image) {
     if (!vertices_.fits() || !corners_.fits() || !refine()) return {Verdict::different, odd()};
     for (Index x = vertices_.ambiguous(); x != none; x = vertices_.ambiguous()) {
+      if (sides_[0]->stars.at(vertices_.elements(0, x)[0]).empty()) {  // no face uses them
+        vertices_.leave_ambiguous();
+        continue;
+      }
       for (std::size_t s = 0; s < 2; ++s) vertices_.touch(s, vertices_.elements(s, x).back());
       if (!vertices_.split() || !refine())
         return {Verdict::undecided, "vertices that look alike are not, or not all"};
     }
     image.resize(sides_[0]->mesh.vertices());
     for (Index x = 0; x < vertices_.count(); ++x)
-      image[vertices_.elements(0, x)[0]] = vertices_.elements(1, x)[0];
+      for (Index i = 0; i < vertices_.size(x); ++i)
+        image[vertices_.elements(0, x)[i]] = vertices_.elements(1, x)[i];
     return {Verdict::same, {}};
   }
 

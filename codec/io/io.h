@@ -74,9 +74,11 @@ struct ReadResult {
 /// Numbers of OBJ, OFF and text STL, which do not say how wide they are, become float32 if each of
 /// a kind (positions, normals, ..) is the rounding of a float32 to its digits, else float64.
 ///
+/// Names that are not UTF-8 are taken as Latin-1, which is noted.
+///
 /// Errors: malformed, unsupported or too_large, with the line (text) or byte (binary) and what was
-/// expected. Memory: at most a small multiple of the file's size. Cost: linear but for STL, whose
-/// corners are sorted.
+/// expected; out_of_memory. Memory: at most a small multiple of the file's size. Cost: linear but
+/// for STL, whose corners are sorted.
 Expected<ReadResult> read(std::span<const std::byte> bytes, Format format);
 
 struct WriteResult {
@@ -88,7 +90,7 @@ struct WriteResult {
 /// always text. A number in text has the fewest digits that read back bit for bit (NaN: its sign
 /// alone). What a format cannot hold is noted.
 /// Errors: unsupported (a format that cannot hold this at all, such as polygons in STL or several
-/// meshes in all but OBJ), inconsistent_mesh, too_large.
+/// meshes in all but OBJ), inconsistent_mesh, too_large, out_of_memory.
 Expected<WriteResult> write(std::span<const Mesh> meshes, Format format,
                             std::optional<Encoding> encoding = std::nullopt);
 

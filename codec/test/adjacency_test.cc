@@ -25,6 +25,38 @@ std::vector<HalfEdge> twins_by_map(const Mesh& mesh) {
   return twins;
 }
 
+/// All sides of each edge by a map of undirected ones: regular pairs and defects.
+Adjacency edges_by_map(const Mesh& mesh) {
+  const Faces faces(mesh.corners, mesh.face_sizes);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> edges;
+  for (std::uint32_t h = 0; h < mesh.corners.size(); ++h)
+    edges[std::minmax(faces.org[h], faces.org[faces.next(h)])].push_back(h);
+  Adjacency all;
+  all.twins.resize(mesh.corners.size());
+  std::map<std::uint32_t, std::vector<std::uint32_t>> defects;  // by first side
+  for (const auto& [ends, sides] : edges) {
+    if (sides.size() == 2 && faces.org[sides[0]] != faces.org[sides[1]]) {
+      all.twins[sides[0]] = HalfEdge(sides[1]);
+      all.twins[sides[1]] = HalfEdge(sides[0]);
+    } else if (sides.size() > 1) {
+      defects[sides[0]] = sides;
+    }
+  }
+  for (const auto& [first, sides] : defects) {
+    all.sides.insert(all.sides.end(), sides.begin(), sides.end());
+    all.ends.push_back(static_cast<std::uint32_t>(all.sides.size()));
+  }
+  return all;
+}
+
+void expect_edges_of_map(const Mesh& mesh) {
+  const Adjacency found = match_edges({mesh.corners, mesh.face_sizes}, mesh.vertex_count);
+  const Adjacency expected = edges_by_map(mesh);
+  ASSERT_EQ(found.twins, expected.twins);
+  ASSERT_EQ(found.sides, expected.sides);
+  ASSERT_EQ(found.ends, expected.ends);
+}
+
 Error error_of(std::vector<std::uint32_t> corners, std::uint32_t vertices) {
   auto twins = find_twins({corners, {}}, vertices);
   EXPECT_FALSE(twins.ok());
@@ -66,6 +98,8 @@ TEST(Adjacency, RandomFacesAgainstAMapOfDirectedEdges) {
       for (unsigned i = 0; i < 3; ++i) edges.insert({c[i], c[(i + 1) % 3]});
       mesh.corners.insert(mesh.corners.end(), c, c + 3);
     }
+    SCOPED_TRACE(round);
+    expect_edges_of_map(mesh);
     auto twins = find_twins({mesh.corners, {}}, mesh.vertex_count);
     ASSERT_EQ(twins.ok(), !twice) << round;
     if (!twins) continue;
@@ -74,6 +108,33 @@ TEST(Adjacency, RandomFacesAgainstAMapOfDirectedEdges) {
   }
   EXPECT_GT(good, 5000);
   EXPECT_LT(good, 15000);
+}
+
+TEST(Adjacency, SoupsAgainstAMapOfEdges) {
+  for (unsigned seed = 0; seed < 2000; ++seed) {
+    SCOPED_TRACE(seed);
+    Mesh mesh = corpus::random_soup(4 + seed % 60, 2 + seed % 97, 3, seed);
+    std::vector<std::uint32_t> corners;
+    for (std::size_t h = 0; h < mesh.corners.size(); h += 3) {
+      const std::uint32_t* c = &mesh.corners[h];
+      if (c[0] != c[1] && c[1] != c[2] && c[2] != c[0]) corners.insert(corners.end(), c, c + 3);
+    }
+    mesh.corners = corners;
+    mesh.face_sizes.clear();
+    expect_edges_of_map(mesh);
+  }
+  expect_edges_of_map(corpus::book(3000));
+}
+
+/// Vertices that no face has take no memory, and a look ahead does not leave the faces.
+TEST(Adjacency, FewFacesOnManyVertices) {
+  for (const std::uint32_t vertices : {70000u, 0xffffffffu}) {
+    const std::vector<std::uint32_t> corners = {vertices - 1, 5, 9, 5, vertices - 1, 7};
+    const Adjacency all = match_edges({corners, {}}, vertices);
+    EXPECT_EQ(all.twins[0], HalfEdge(3));
+    EXPECT_EQ(all.twins[3], HalfEdge(0));
+    EXPECT_TRUE(all.ends.empty());
+  }
 }
 
 /// A hub whose edges come in random order defeats the streaming lists; time must stay near linear.

@@ -11,6 +11,7 @@
 #include "codec/adjacency.h"
 #include "codec/spirale_reversi.h"
 #include "codec/stream_source.h"
+#include "codec/test/correspondence.h"
 #include "corpus/enumerate.h"
 #include "corpus/generate.h"
 #include "corpus/random_gluing.h"
@@ -63,34 +64,11 @@ Expected<Decoded> decode(std::span<const std::byte> bytes) {
   return d;
 }
 
-/// Half-edge of the input that a decoded half-edge came from.
-HalfEdge origin_of(const EncodedConnectivity& coded, std::size_t h) {
-  HalfEdge g = coded.gates[h / 3];
-  for (std::size_t i = 0; i < h % 3; ++i) g = lnext(g);
-  return g;
-}
-
 ::testing::AssertionResult same(const Arrays& in, const EncodedConnectivity& coded,
                                 const Decoded& out) {
-  if (out.corners.size() != in.org.size())
-    return ::testing::AssertionFailure() << "half-edges: " << out.corners.size();
-  std::vector<bool> seen(in.org.size());
-  for (std::size_t h = 0; h < in.org.size(); ++h) {
-    const HalfEdge g = origin_of(coded, h);
-    if (seen[g.index()]) return ::testing::AssertionFailure() << "twice: " << g.index();
-    seen[g.index()] = true;
-    if (out.corners[h] >= coded.vertices.size() ||
-        coded.vertices[out.corners[h]] != in.org[g.index()])
-      return ::testing::AssertionFailure() << "vertex of half-edge " << h;
-    const HalfEdge t = out.twins[h];
-    const HalfEdge expected = in.twins[g.index()];
-    if (bool(t) != bool(expected) || (t && origin_of(coded, t.index()) != expected))
-      return ::testing::AssertionFailure() << "twin of half-edge " << h;
-  }
-  if (std::set<std::uint32_t>(coded.vertices.begin(), coded.vertices.end()).size() !=
-      coded.vertices.size())
-    return ::testing::AssertionFailure() << "a vertex has two numbers";
-  return ::testing::AssertionSuccess();
+  const std::string difference = difference_of(in.org, in.twins, coded, out.corners, out.twins);
+  return (difference.empty() ? ::testing::AssertionSuccess() : ::testing::AssertionFailure())
+         << difference;
 }
 
 /// Counts of a surface that share no code with the codec: flood fill over twins, walks of fans.

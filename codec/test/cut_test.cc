@@ -9,7 +9,7 @@
 #include <numeric>
 #include <random>
 
-#include "codec/edges.h"
+#include "codec/adjacency.h"
 
 namespace clers {
 namespace {
@@ -132,13 +132,8 @@ class Exhaustive {
 /// The cost of what cut() makes, in terms of the input's sides.
 Cost cost_of(const CutSurface& cut, const std::vector<std::uint32_t>& org) {
   std::vector<std::uint32_t> side(cut.corners.size()), across(org.size(), none);
-  for (std::uint32_t i = 0; i < cut.faces.size(); ++i) {
-    const std::uint32_t f = cut.faces[i];
-    for (std::uint32_t j = 0; j < 3; ++j) {
-      const std::uint32_t k = (cut.first_corners[i] + j) % 3;
-      side[3 * i + j] = 3 * f + (cut.turned[f] ? 2 - k : k);
-    }
-  }
+  std::iota(side.begin(), side.end(), 0u);
+  for (const std::uint32_t f : cut.reversed) std::swap(side[3 * f], side[3 * f + 2]);
   for (std::uint32_t h = 0; h < side.size(); ++h)
     if (cut.twins[h]) across[side[h]] = side[cut.twins[h].index()];
   return cost_of(across, org);
@@ -160,7 +155,8 @@ TEST(Cut, IsNearTheBestOnSmallSoups) {
       org.insert(org.end(), f, f + 3);
       for (const std::uint32_t v : f) used[v] = true;
     }
-    const Cost found = cost_of(cut(Faces(org, {}), vertices, Handles::keep), org);
+    const Cost found =
+        cost_of(cut(Faces(org, {}), vertices, match_edges(Faces(org, {}), vertices)), org);
     const Cost optimum = Exhaustive(org).run();
     ASSERT_GE(found.total(), optimum.total()) << "seed " << seed;
     ours += found.total();
@@ -171,8 +167,10 @@ TEST(Cut, IsNearTheBestOnSmallSoups) {
   }
   std::printf("%u of %u cuts are the best there are; copies: ours %lld, best %lld\n", optimal,
               soups, static_cast<long long>(ours - least), static_cast<long long>(best - least));
-  EXPECT_GE(optimal, soups * 3 / 4);
-  EXPECT_LE(ours - least, (best - least) * 13 / 10);
+  // Where more than two faces meet none is reversed. Of faces that run at random, as here, that
+  // costs a third of the copies; of real meshes it saves bytes, since reversals cost some too.
+  EXPECT_GE(optimal, soups * 7 / 10);
+  EXPECT_LE(ours - least, (best - least) * 16 / 10);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "codec/decode.h"
 #include "codec/encode.h"
+#include "codec/inspect.h"
 
 namespace clers {
 
@@ -76,7 +77,16 @@ inline void expect_permuted(const Mesh& in, const Mesh& out, const Permutation& 
   }
 }
 
-/// Encodes, decodes, checks against the permutations, and encodes again to the same bytes.
+/// Whether a mesh is an oriented manifold: then coding it again once decoded gives the same bytes.
+inline bool is_manifold(const Mesh& mesh) {
+  const auto shape = measure(mesh);
+  return shape && shape->nonmanifold_edges + shape->nonmanifold_vertices +
+                          shape->misoriented_edges + shape->degenerate_faces ==
+                      0;
+}
+
+/// Encodes, decodes, checks against the permutations, and encodes a manifold again to the same
+/// bytes.
 inline std::vector<std::byte> round_trip(std::span<const Mesh> meshes, int level = default_level,
                                          Order order = Order::free) {
   EncodeOptions options;
@@ -91,8 +101,10 @@ inline std::vector<std::byte> round_trip(std::span<const Mesh> meshes, int level
   EXPECT_EQ(out->size(), meshes.size());
   for (std::size_t i = 0; i < meshes.size(); ++i)
     expect_permuted(meshes[i], (*out)[i], coded->permutations[i]);
-  auto again = encode(*out, options);
-  EXPECT_TRUE(again.ok() && again->bytes == coded->bytes) << "encoding is not idempotent";
+  if (std::all_of(meshes.begin(), meshes.end(), is_manifold)) {
+    auto again = encode(*out, options);
+    EXPECT_TRUE(again.ok() && again->bytes == coded->bytes) << "encoding is not idempotent";
+  }
   return coded->bytes;
 }
 

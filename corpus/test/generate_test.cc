@@ -141,6 +141,13 @@ TEST(Gyroid, IsASurfaceWithTheGenusOfItsCells) {
   }
 }
 
+TEST(Lattice, HasAHandleForEveryLoopOfTubes) {
+  expect_topology(surface(lattice(1)), 1, 0, 0);
+  expect_topology(surface(lattice(2)), 1, 0, 5);
+  expect_topology(surface(lattice(5)), 1, 0, 176);
+  EXPECT_EQ(lattice(5).face_count(), 24u * 125 - 12 * 25);
+}
+
 TEST(Arrange, ShuffleChangesOrderOnly) {
   for (std::uint64_t seed = 0; seed < 10; ++seed)
     for (const Mesh& mesh : {icosphere(2), random_soup(50, 200, 7, seed)}) {
@@ -241,6 +248,46 @@ TEST(Soups, AreWhatTheyAreCalled) {
   EXPECT_EQ(polygons.face_sizes.size(), 1000u);
   EXPECT_EQ(*std::min_element(polygons.face_sizes.begin(), polygons.face_sizes.end()), 3u);
   EXPECT_EQ(*std::max_element(polygons.face_sizes.begin(), polygons.face_sizes.end()), 9u);
+}
+
+TEST(Soups, CrowdsAreAsManyAsTheySay) {
+  EXPECT_EQ(recount(same_triangle(50)).equal_faces, 49);
+  const Figures triples = recount(all_triples(7));
+  EXPECT_EQ(triples.faces, 35);
+  EXPECT_EQ(triples.edges, 21);
+  EXPECT_EQ(triples.crowded_edges, 21);
+  EXPECT_EQ(triples.equal_faces, 0);
+  const Figures hub = recount(pinched_hub(9));
+  EXPECT_EQ(hub.components, 1);
+  EXPECT_EQ(hub.pinched_vertices, 1);
+  EXPECT_EQ(hub.vertices, 19);
+  EXPECT_EQ(hub.edges, 27);
+}
+
+TEST(Defects, AreWhatTheyAreCalled) {
+  const Mesh mesh = torus(12, 9);
+  const Figures clean = recount(mesh);
+  const Figures twice = recount(doubled(mesh));
+  EXPECT_EQ(twice.equal_faces, clean.faces);
+  EXPECT_EQ(twice.crowded_edges, clean.edges);
+  const Figures both = recount(two_sided(mesh));
+  EXPECT_EQ(both.faces, 2 * clean.faces);
+  EXPECT_EQ(both.crowded_edges, clean.edges);
+  EXPECT_EQ(by_position(two_sided(mesh)), by_position(two_sided(reversed(mesh))));
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    const Figures fins = recount(add_fins(mesh, 10, seed));
+    EXPECT_EQ(fins.faces, clean.faces + 10);
+    EXPECT_EQ(fins.vertices, clean.vertices + 10);
+    EXPECT_GT(fins.crowded_edges, 5);
+    EXPECT_LE(fins.crowded_edges, 10);
+    const Figures turned = recount(reverse_some(mesh, 1, seed));
+    EXPECT_EQ(turned.misoriented_edges, 3);
+    EXPECT_EQ(turned.edges, clean.edges);
+    EXPECT_EQ(by_position(reverse_some(mesh, 1000, seed)), by_position(reversed(mesh)));
+  }
+  const Figures alone = recount(isolate(mesh, 77));
+  EXPECT_EQ(alone.isolated_vertices, 77);
+  EXPECT_EQ(alone.faces, clean.faces);
 }
 
 // Other machines must make the same meshes: figures below were seen once and are compared from then

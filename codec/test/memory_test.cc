@@ -1,0 +1,411 @@
+// Peak memory against Limits::memory, for files that claim much and for honest ones.
+#include <gtest/gtest.h>
+#include <malloc.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <new>
+
+#include "codec/connectivity.h"
+#include "codec/decode.h"
+#include "codec/encode.h"
+#include "codec/inspect.h"
+#include "codec/test/attribute.h"
+#include "codec/test/file_builder.h"
+#include "corpus/generate.h"
+
+namespace {
+
+std::atomic<std::int64_t> held{0}, peak{0};
+
+void* counted(void* block) {
+  if (block == nullptr) throw std::bad_alloc();
+  const auto size = static_cast<std::int64_t>(malloc_usable_size(block));
+  const std::int64_t now = held += size;
+  for (std::int64_t most = peak; now > most && !peak.compare_exchange_weak(most, now);) {
+  }
+  return block;
+}
+void uncounted(void* block) {
+  if (block != nullptr) held -= static_cast<std::int64_t>(malloc_usable_size(block));
+  std::free(block);
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  return counted(std::malloc(size == 0 ? 1 : size));
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  const auto a = static_cast<std::size_t>(alignment);
+  return counted(std::aligned_alloc(a, (size + a - 1) / a * a));
+}
+void operator delete(void* p) noexcept {
+  uncounted(p);
+}
+void operator delete(void* p, std::size_t) noexcept {
+  uncounted(p);
+}
+void operator delete(void* p, std::align_val_t) noexcept {
+  uncounted(p);
+}
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept {
+  uncounted(p);
+}
+
+namespace clers {
+namespace {
+
+using test::FileBuilder;
+using test::Payload;
+
+constexpr std::uint64_t MB = 1 << 20;
+/// What no file can raise: error texts, threads, a vector's last element.
+constexpr std::uint64_t slack = MB / 4;
+/// What a test may take of the machine; files that need more are refused under every limit tried.
+constexpr std::uint64_t most_tried = 512 * MB;
+
+/// What a call takes at most, and the error that it ends with.
+struct Outcome {
+  std::uint64_t peak = 0;
+  Error error{};
+  bool ok = true;
+
+  bool over_memory() const { return error.limited == Limited::memory; }
+};
+
+using Call = std::function<Expected<Done>(const DecodeOptions&)>;
+
+Outcome run(const Call& call, const Limits& limits, unsigned threads) {
+  DecodeOptions options;
+  options.limits = limits;
+  options.threads = threads;
+  const std::int64_t before = held;
+  peak = before;
+  auto done = call(options);
+  Outcome outcome;
+  outcome.peak = static_cast<std::uint64_t>(peak - before);
+  outcome.ok = done.ok();
+  if (!done) outcome.error = done.error();
+  return outcome;
+}
+
+template <class T>
+Expected<Done> only_errors(const Expected<T>& result) {
+  if (!result) return Failure{result.error()};
+  return Done{};
+}
+
+struct NamedCall {
+  const char* name;
+  Call call;
+};
+
+/// Everything that takes bytes. Memory of the caller is made before.
+std::vector<NamedCall> calls_on(std::span<const std::byte> bytes) {
+  std::vector<NamedCall> calls = {
+      {"decode", [=](const DecodeOptions& o) { return only_errors(decode(bytes, o)); }},
+      {"decode_pieces",
+       [=](const DecodeOptions& o) {
+         return decode_pieces(
+             bytes, [](Piece) {}, o);
+       }},
+      {"decode_piece",
+       [=](const DecodeOptions& o) { return only_errors(decode_piece(bytes, 0, o)); }},
+      {"inspect", [=](const DecodeOptions& o) { return only_errors(inspect(bytes, o.limits)); }},
+      {"sizes", [=](const DecodeOptions& o) { return only_errors(sizes(bytes, o.limits)); }}};
+  Limits all;
+  all.memory = std::uint64_t(1) << 40;
+  const auto known = sizes(bytes, all);
+  if (!known || known->size() != 1 || (*known)[0].corners > 32 * MB) return calls;
+  const std::size_t n = (*known)[0].corners;
+  const auto corners = std::make_shared<std::vector<std::uint32_t>>(n);
+  const auto narrow = std::make_shared<std::vector<std::uint16_t>>(n);
+  const auto opposites = std::make_shared<std::vector<HalfEdge>>(n);
+  calls.push_back(
+      {"decode_into", [=](const DecodeOptions& o) { return decode_into(bytes, *corners, {}, o); }});
+  calls.push_back({"decode_into with opposites", [=](const DecodeOptions& o) {
+                     return decode_into(bytes, *corners, *opposites, o);
+                   }});
+  calls.push_back({"decode_into 16 bits", [=](const DecodeOptions& o) {
+                     return decode_into(bytes, *narrow, *opposites, o);
+                   }});
+  return calls;
+}
+
+/// The least limit that the call gets along with, found by what its errors say.
+std::uint64_t needed(const Call& call) {
+  Limits limits;
+  limits.memory = 0;
+  for (;;) {
+    const Outcome o = run(call, limits, 1);
+    if (!o.over_memory()) return *limits.memory;
+    EXPECT_EQ(o.error.code, ErrorCode::limit);
+    EXPECT_GT(o.error.needed, *limits.memory);
+    EXPECT_LE(o.peak, *limits.memory + slack);
+
+    limits.memory = o.error.needed;
+    if (*limits.memory > most_tried) return *limits.memory;
+  }
+}
+
+/// Peaks are within every limit, whatever the number of threads, which changes no outcome.
+void expect_within_limits(std::span<const std::byte> bytes) {
+  for (const auto& [name, call] : calls_on(bytes)) {
+    SCOPED_TRACE(name);
+    const std::uint64_t need = needed(call);
+    std::vector<Limits> all(4);
+    all[0].memory = need - 1;
+    all[1].memory = std::min(need, most_tried);
+    all[2].memory = 8 * MB;
+    if (need > most_tried && need <= 1024 * MB) all.pop_back();  // the default
+    for (const Limits& limits : all) {
+      const std::uint64_t limit = limits.memory.value_or(std::max(1024 * MB, 4096 * bytes.size()));
+      const Outcome one = run(call, limits, 1), four = run(call, limits, 4);
+      EXPECT_EQ(one.over_memory(), limit < need);
+      EXPECT_LE(one.peak, limit + slack);
+      EXPECT_LE(four.peak, limit + 4 * slack);
+      EXPECT_EQ(one.ok, four.ok);
+      EXPECT_EQ(describe(one.error), describe(four.error));
+      EXPECT_EQ(one.error.needed, four.error.needed);
+    }
+  }
+}
+
+/// Triangles that share nothing, as connectivity: E, a new component each time.
+Bytes loose_triangles(std::uint32_t n, int level) {
+  const Mesh mesh = corpus::loose_triangles(n);
+  std::vector<HalfEdge> twins(mesh.corners.size());
+  auto coded = encode_connectivity({mesh.corners, twins, mesh.vertex_count}, level);
+  EXPECT_TRUE(coded.ok());
+  return coded->bytes;
+}
+
+Payload surface(std::uint32_t features, std::uint64_t others) {
+  return std::move(Payload().u8(features).varint(others));
+}
+
+const Bytes no_symbols = {std::byte{0}, std::byte{1}};  // a state of 256 alone
+
+// The rows of the table of attacks, smaller where size adds nothing.
+
+TEST(Memory, FilesOfAttackers) {
+  for (const auto& entry : std::filesystem::directory_iterator(CLERS_TEST_CASES)) {
+    SCOPED_TRACE(entry.path().filename().string());
+    std::ifstream in(entry.path(), std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    ASSERT_FALSE(text.empty());
+    const auto bytes = std::as_bytes(std::span(text));
+    for (const auto& [name, call] : calls_on(bytes)) {
+      SCOPED_TRACE(name);
+      Limits small;
+      small.memory = 64 * MB;
+      EXPECT_LE(run(call, small, 1).peak, 64 * MB + slack);
+      EXPECT_LE(run(call, small, 4).peak, 64 * MB + 4 * slack);
+      EXPECT_LE(run(call, {}, 1).peak, 1024 * MB + slack);
+    }
+  }
+}
+
+TEST(Memory, PiecesThatClaimValues) {
+  FileBuilder file;
+  file.pieces(2);
+  for (int i = 0; i < 2; ++i) {
+    file.section(SectionKind::mesh, test::plain_mesh(std::uint64_t(1) << 30, 0, 0));
+    file.section(SectionKind::attribute,
+                 test::attribute_section("a", Domain::vertex, Scalar::uint8, 4, {}));
+  }
+  const Bytes bytes = file.finish();
+  EXPECT_EQ(decode(bytes).error().code, ErrorCode::invalid);
+  expect_within_limits(bytes);
+}
+
+TEST(Memory, PiecesOfZeros) {
+  const Bytes frame = test::zstd_frame(Bytes(4 * MB));
+  FileBuilder file;
+  file.pieces(3);
+  for (int i = 0; i < 3; ++i) {
+    file.section(SectionKind::mesh, test::plain_mesh(1 * MB, 0, 0));
+    file.section(SectionKind::attribute,
+                 test::attribute_section("a", Domain::vertex, Scalar::uint8, 4, frame));
+  }
+  // Pieces after the first share a vertex at least: refused, but not before there is room for them.
+  expect_within_limits(file.finish());
+}
+
+TEST(Memory, OneAttributeOfZeros) {
+  const Bytes frame = test::zstd_frame(Bytes(8 * MB));
+  FileBuilder file;
+  file.section(SectionKind::mesh, test::plain_mesh(2 * MB, 0, 0));
+  file.section(SectionKind::attribute,
+               test::attribute_section("a", Domain::vertex, Scalar::uint8, 4, frame));
+  const Bytes bytes = file.finish();
+  EXPECT_TRUE(decode(bytes).ok());
+  expect_within_limits(bytes);
+}
+
+TEST(Memory, SeveralAttributesOfZeros) {
+  const Bytes frame = test::zstd_frame(Bytes(2 * MB));
+  FileBuilder file;
+  file.section(SectionKind::mesh, test::plain_mesh(MB / 2, 0, 0));
+  for (const char* name : {"a", "b", "c", "d", "e"})
+    file.section(SectionKind::attribute,
+                 test::attribute_section(name, Domain::vertex, Scalar::float32, 1, frame));
+  const Bytes bytes = file.finish();
+  EXPECT_TRUE(decode(bytes).ok());
+  expect_within_limits(bytes);
+}
+
+TEST(Memory, IsolatedVertices) {
+  for (const unsigned bits : {20u, 24u, 28u, 31u}) {
+    const Bytes bytes =
+        FileBuilder()
+            .section(SectionKind::mesh, test::tetrahedron_mesh(std::uint64_t(1) << bits))
+            .finish();
+    expect_within_limits(bytes);
+  }
+}
+
+TEST(Memory, IsolatedVerticesInAnOrder) {
+  for (const unsigned bits : {20u, 22u, 28u}) {
+    FileBuilder file;
+    file.section(SectionKind::mesh, test::tetrahedron_mesh(std::uint64_t(1) << bits));
+    file.section(SectionKind::order, Payload().raw(no_symbols));
+    expect_within_limits(file.finish());
+  }
+}
+
+TEST(Memory, Copies) {
+  Payload mesh = surface(feature::copies, 0);
+  mesh.varint(1).stream(no_symbols).raw(loose_triangles(60'000, 5));
+  expect_within_limits(FileBuilder().section(SectionKind::mesh, mesh).finish());
+}
+
+TEST(Memory, LevelNine) {
+  Payload mesh = surface(0, 0);
+  mesh.raw(loose_triangles(40'000, 9));
+  const Bytes bytes = FileBuilder(9).section(SectionKind::mesh, mesh).finish();
+  EXPECT_TRUE(decode(bytes).ok());
+  expect_within_limits(bytes);
+}
+
+TEST(Memory, OrderOfManyFaces) {
+  Payload mesh = surface(0, 0);
+  mesh.raw(loose_triangles(150'000, 3));
+  FileBuilder file;
+  file.section(SectionKind::mesh, mesh);
+  file.section(SectionKind::order, Payload().raw(Bytes(40, std::byte{1})));
+  expect_within_limits(file.finish());
+}
+
+TEST(Memory, EmptyPieces) {
+  constexpr unsigned n = 20'000;
+  FileBuilder file;
+  file.pieces(n);
+  const Payload empty = test::plain_mesh(0, 0, 0);
+  for (unsigned i = 0; i < n; ++i) file.section(SectionKind::mesh, empty);
+  expect_within_limits(file.finish());
+}
+
+TEST(Memory, ManyMeshes) {
+  FileBuilder file;
+  for (unsigned i = 0; i < 10'000; ++i) {
+    file.section(SectionKind::mesh, test::tetrahedron_mesh());
+    file.section(SectionKind::name, Payload().text("a name that takes memory of its own"));
+  }
+  expect_within_limits(file.finish());
+}
+
+TEST(Memory, ManyAttributes) {
+  FileBuilder file;
+  file.section(SectionKind::mesh, test::tetrahedron_mesh());
+  const Bytes frame = test::zstd_frame(Bytes(4));
+  for (unsigned i = 0; i < 10'000; ++i)
+    file.section(SectionKind::attribute,
+                 test::attribute_section("", Domain::face, Scalar::uint8, 1, frame));
+  expect_within_limits(file.finish());
+}
+
+TEST(Memory, TurnedAndLooseAndPolygonsThatAreNot) {
+  const Bytes connectivity = loose_triangles(80'000, 5);
+  const Bytes claims(128, std::byte{1});
+  Payload turned = surface(feature::turned, 0);
+  turned.varint(80'000).stream(no_symbols).raw(connectivity);
+  Payload polygons = surface(feature::polygons, 0);
+  polygons.varint(79'999).stream(no_symbols).raw(connectivity);
+  Payload loose = surface(feature::loose, 0);
+  loose.varint(800'000).varint(800'000).stream(claims).raw(connectivity);
+  const Payload plain = test::plain_mesh(10, 800'000, 800'000, 128);
+  for (const Payload& mesh : {turned, polygons, loose, plain})
+    expect_within_limits(FileBuilder().section(SectionKind::mesh, mesh).finish());
+}
+
+// Honest files of every kind, which must not be refused for more than they take.
+
+void expect_fair(const std::vector<Mesh>& meshes, EncodeOptions options) {
+  auto coded = encode(meshes, options);
+  ASSERT_TRUE(coded.ok()) << describe(coded.error());
+  expect_within_limits(coded->bytes);
+  for (const auto& [name, call] : calls_on(coded->bytes)) {
+    SCOPED_TRACE(name);
+    const Outcome o = run(call, {}, 1);
+    if (std::string_view(name) == "sizes" || !o.ok) continue;  // not triangles, too many vertices
+    EXPECT_LE(needed(call), 3 * o.peak + MB / 2);
+  }
+}
+
+TEST(Memory, HonestFiles) {
+  const auto with_values = [](Mesh mesh) {
+    std::vector<float> position(3 * std::size_t(mesh.vertex_count));
+    for (std::size_t i = 0; i < position.size(); ++i) position[i] = float(i * i % 1009);
+    mesh.attributes = {
+        test::attribute<float>("position", Domain::vertex, Scalar::float32, 3, position),
+        test::attribute<std::uint8_t>("kind", Domain::face, Scalar::uint8, 1,
+                                      std::vector<std::uint8_t>(mesh.face_count(), 7)),
+        test::attribute<double>("uv", Domain::corner, Scalar::float64, 2,
+                                std::vector<double>(2 * mesh.corners.size(), 0.5))};
+    return mesh;
+  };
+  Mesh turned = corpus::torus(80, 60);
+  for (std::size_t f = 0; f < turned.face_count(); f += 3)
+    std::swap(turned.corners[3 * f], turned.corners[3 * f + 1]);
+  Mesh degenerate = corpus::icosphere(4);
+  for (std::size_t f = 0; f < degenerate.face_count(); f += 5)
+    degenerate.corners[3 * f] = degenerate.corners[3 * f + 1];
+  Mesh points = corpus::grid(80, 60);
+  points.vertex_count += 20'000;
+  points.attributes.clear();
+  const std::vector<Mesh> kinds = {corpus::punch_holes(corpus::torus(100, 80), 30, 1),
+                                   turned,
+                                   degenerate,
+                                   points,
+                                   corpus::chessboard(80),
+                                   corpus::random_soup(2000, 3000, 3, 1),
+                                   corpus::random_soup(10000, 7000, 7, 2),
+                                   corpus::loose_triangles(6000)};
+  for (std::size_t k = 0; k < kinds.size(); ++k)
+    for (const bool values : {false, true}) {
+      SCOPED_TRACE("kind " + std::to_string(k) + (values ? " with values" : ""));
+      const std::vector<Mesh> one = {values ? with_values(kinds[k]) : kinds[k]};
+      EncodeOptions options;
+      expect_fair(one, options);
+      if (!values) continue;
+      options.order = Order::keep;
+      expect_fair(one, options);
+      options.piece_faces = 1000;
+      expect_fair(one, options);
+      options = {};
+      options.level = 9;
+      options.piece_faces = 2000;
+      expect_fair({one[0], one[0]}, options);
+    }
+}
+
+}  // namespace
+}  // namespace clers
