@@ -52,5 +52,8 @@ if(CLERS_CLI)
   install(TARGETS clers_cli)
   configure_file(codec/cli/clers.1.in clers.1 @ONLY)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/clers.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(FILES codec/cli/completion/clers.bash RENAME clers
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES codec/cli/completion/_clers DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 endif()
 install(FILES LICENSE codec/format.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -16,10 +16,12 @@ namespace clers::cli {
 
 struct Options {
   std::vector<std::string> inputs;
-  std::string output;  ///< of encode, decode and subdivide; ends in '/' or is a directory: into it
-  std::optional<io::Format> from;  ///< of mesh files read
-  std::optional<io::Format> to;    ///< of mesh files written
-  bool text = false;               ///< text is written where the format offers both
+  std::optional<std::string> output;  ///< of encode, decode and subdivide; as Destination takes it
+  std::optional<io::Format> from;     ///< of mesh files read
+  std::optional<io::Format> to;       ///< of mesh files written
+  bool text = false;                  ///< text is written where the format offers both
+  bool strict = false;                ///< what cannot be carried is an error
+  bool remove_inputs = false;
   bool force = false;
   bool quiet = false;
   bool json = false;

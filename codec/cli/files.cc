@@ -17,10 +17,6 @@ namespace {
 
 constexpr std::size_t most_at_once = std::size_t{1} << 30;  // read and write may refuse 2 GiB
 
-std::string output_name(const std::string& path) {
-  return path == "-" ? "standard output" : path;
-}
-
 Failure<Stop> failed(Exit exit, const std::string& name, int error) {
   return stop(exit, name + ": " + std::strerror(error));
 }
@@ -47,9 +43,30 @@ bool write_all(int fd, std::span<const std::byte> bytes) {
     const ssize_t n = ::write(fd, bytes.data(), std::min(bytes.size(), most_at_once));
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) return false;
+    if (n == 0) {  // never of a write of some bytes, unless something is broken
+      errno = EIO;
+      return false;
+    }
     bytes = bytes.subspan(static_cast<std::size_t>(n));
   }
   return true;
+}
+
+/// Where a path leads through symbolic links, whether or not there is anything: a new file is made
+/// where a link leads. Ends at a link that cannot be followed, which opening it then tells.
+std::filesystem::path followed(std::filesystem::path path) {
+  constexpr int most_links = 40;  // as Linux
+  for (int i = 0; i < most_links; ++i) {
+    std::error_code none;
+    const std::filesystem::path to = std::filesystem::read_symlink(path, none);
+    if (none) break;
+    path = path.parent_path() / to;  // `to` alone if it is absolute
+  }
+  return path;
+}
+
+std::filesystem::path directory_of(const std::filesystem::path& path) {
+  return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
 }
 
 /// Makes the new name itself survive a crash. Not every file system can; the content is safe
@@ -161,6 +178,10 @@ std::string input_name(const std::string& path) {
   return path == "-" ? "standard input" : path;
 }
 
+std::string output_name(const std::string& path) {
+  return path == "-" ? "standard output" : path;
+}
+
 Outcome<Bytes> read_file(const std::string& path) {
   Descriptor opened(path == "-" ? -1 : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   const int fd = path == "-" ? STDIN_FILENO : opened.get();
@@ -181,21 +202,38 @@ Outcome<Bytes> read_file(const std::string& path) {
   return bytes;
 }
 
-Outcome<Done> check_output(const std::string& path, bool overwrite) {
-  if (path == "-") {
-    if (!overwrite && ::isatty(STDOUT_FILENO))
-      return stop(Exit::usage, "standard output: is a terminal; redirect it, or -f writes to it");
+FileIds ids_of(std::span<const std::string> paths) {
+  FileIds ids;
+  for (const std::string& path : paths) {
+    struct stat status = {};
+    if (path != "-" && ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode))
+      ids.emplace(status.st_dev, status.st_ino);
+  }
+  return ids;
+}
+
+Outcome<Done> remove_input(const std::string& path) {
+  if (::unlink(path.c_str()) != 0) return failed(Exit::output, path, errno);
+  return Done{};
+}
+
+Outcome<Done> check_output(const std::string& path, bool overwrite, const FileIds& inputs) {
+  if (path == "-") return Done{};
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) == 0) {
+    if (S_ISDIR(status.st_mode)) return failed(Exit::output, path, EISDIR);
+    if (!S_ISREG(status.st_mode)) return Done{};
+    if (inputs.contains({status.st_dev, status.st_ino}))
+      return stop(Exit::usage,
+                  path + ": is an input, which is never overwritten; -o names another output");
+    if (!overwrite) return stop(Exit::usage, path + ": exists; -f overwrites it");
     return Done{};
   }
-  struct stat status = {};
-  if (::stat(path.c_str(), &status) != 0) {
-    const std::filesystem::path directory = std::filesystem::path(path).parent_path();
-    if (directory.empty() || ::access(directory.c_str(), W_OK | X_OK) == 0) return Done{};
-    return failed(Exit::output, path, errno);
-  }
-  if (S_ISDIR(status.st_mode)) return failed(Exit::output, path, EISDIR);
-  if (S_ISREG(status.st_mode) && !overwrite)
-    return stop(Exit::usage, path + ": exists; -f overwrites it");
+  if (errno != ENOENT) return failed(Exit::output, path, errno);
+  const std::filesystem::path directory = directory_of(followed(path));
+  if (::stat(directory.c_str(), &status) != 0) return failed(Exit::output, path, errno);
+  if (!S_ISDIR(status.st_mode)) return failed(Exit::output, path, ENOTDIR);
+  if (::access(directory.c_str(), W_OK | X_OK) != 0) return failed(Exit::output, path, errno);
   return Done{};
 }
 
@@ -213,11 +251,9 @@ Outcome<Done> write_file(const std::string& path, std::span<const std::byte> byt
       return failed(Exit::output, path, errno);
     return Done{};
   }
-  // Through a symbolic link, the file that it leads to is replaced, not the link.
-  std::error_code ignored;
-  std::filesystem::path target = std::filesystem::canonical(path, ignored);
-  if (target.empty()) target = path;
-  const std::filesystem::path directory = target.has_parent_path() ? target.parent_path() : ".";
+  // Through a symbolic link, the file that it leads to is made or replaced, not the link.
+  const std::filesystem::path target = followed(path);
+  const std::filesystem::path directory = directory_of(target);
   const bool replace = overwrite && exists;
   const mode_t mode = replace ? status.st_mode & 07777 : 0666;
 

@@ -4,7 +4,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "codec/cli/printable.h"
+
 namespace clers::cli {
+
+std::string grouped(std::uint64_t n) {
+  std::string digits = std::to_string(n);
+  for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, 1, ',');
+  return digits;
+}
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -106,16 +115,10 @@ const char* name(Scalar scalar) {
 
 /// Names come from files: bytes that are no UTF-8 are replaced rather than refused.
 std::string dump(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 // ---- Text
-
-std::string grouped(std::uint64_t n) {
-  std::string digits = std::to_string(n);
-  for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, 1, ',');
-  return digits;
-}
 
 void line(std::string& out, const char* what, std::uint64_t n) {
   out += fmt::format("  {:<22}{:>15}\n", what, grouped(n));
@@ -139,8 +142,11 @@ void put(std::string& out, const MeshShape& s) {
   if (s.isolated_vertices != 0) line(out, "isolated vertices", s.isolated_vertices);
 }
 
+constexpr std::size_t longest_value = 54;  ///< of metadata, in a line of 80 columns
+
 std::string heading(std::size_t i, const std::string& mesh) {
-  return mesh.empty() ? fmt::format("mesh {}\n", i) : fmt::format("mesh {} '{}'\n", i, mesh);
+  return mesh.empty() ? fmt::format("mesh {}\n", i)
+                      : fmt::format("mesh {} '{}'\n", i, printable(mesh));
 }
 
 }  // namespace
@@ -166,6 +172,9 @@ std::string info_json(const std::string& file, const FileInfo& info) {
                                    {"components", a.components},
                                    {"count", a.count},
                                    {"bytes", a.bytes}});
+    one["metadata"] = Json::array();
+    for (const MetadataEntry& entry : mesh.metadata)
+      one["metadata"].push_back({{"key", entry.key}, {"value", entry.value}});
     json["meshes"].push_back(std::move(one));
   }
   return dump(json);
@@ -187,7 +196,7 @@ std::string check_json(const std::string& file, std::span<const Measured> meshes
 
 std::string info_text(const std::string& file, const FileInfo& info) {
   const MeshInfo sum = total(info);
-  std::string out = fmt::format("{}: clers format {}.{}, level {}, {} mesh{}\n", file,
+  std::string out = fmt::format("{}: clers format {}.{}, level {}, {} mesh{}\n", printable(file),
                                 info.format_major, info.format_minor, info.level,
                                 info.meshes.size(), info.meshes.size() == 1 ? "" : "es");
   if (info.meshes.size() > 1) {
@@ -218,12 +227,16 @@ std::string info_text(const std::string& file, const FileInfo& info) {
   if (sum.metadata_bytes != 0) line(out, "metadata bytes", sum.metadata_bytes);
   line(out, "overhead bytes", info.overhead_bytes);
   line(out, "total bytes", info.total_bytes);
+  if (info.meshes.size() == 1)
+    for (const MetadataEntry& entry : info.meshes[0].metadata)
+      out += fmt::format("  {:<22} {}\n", printable(entry.key),
+                         fitting(printable(entry.value), longest_value));
   return out;
 }
 
 std::string check_text(const std::string& file, std::span<const Measured> meshes) {
-  std::string out =
-      fmt::format("{}: {} mesh{}\n", file, meshes.size(), meshes.size() == 1 ? "" : "es");
+  std::string out = fmt::format("{}: {} mesh{}\n", printable(file), meshes.size(),
+                                meshes.size() == 1 ? "" : "es");
   if (meshes.size() > 1) {
     for (std::size_t i = 0; i < meshes.size(); ++i) {
       out += heading(i, meshes[i].name);
@@ -233,6 +246,40 @@ std::string check_text(const std::string& file, std::span<const Measured> meshes
   }
   put(out, total(meshes));
   return out;
+}
+
+std::string info_heading() {
+  return fmt::format("{:>14} {:>12} {:>12} {:>9}  file\n", "bytes", "vertices", "faces",
+                     "bits/face");
+}
+
+std::string info_line(const std::string& file, const FileInfo& info) {
+  const MeshShape shape = total(info).shape;
+  const double bits = 8 * static_cast<double>(info.total_bytes) / static_cast<double>(shape.faces);
+  return fmt::format("{:>14} {:>12} {:>12} {:>9}  {}\n", grouped(info.total_bytes),
+                     grouped(shape.vertices), grouped(shape.faces),
+                     shape.faces == 0 ? "-" : fmt::format("{:.2f}", bits), printable(file));
+}
+
+std::string check_heading() {
+  return fmt::format("{:>12} {:>12} {:>10} {:>10} {:>7} {:>8}  file\n", "vertices", "faces",
+                     "components", "boundaries", "genus", "defects");
+}
+
+std::string check_line(const std::string& file, std::span<const Measured> meshes) {
+  const MeshShape s = total(meshes);
+  const std::uint64_t defects = s.nonmanifold_edges + s.nonmanifold_vertices + s.misoriented_edges +
+                                s.degenerate_faces + s.duplicate_faces +
+                                s.nonorientable_components + s.isolated_vertices;
+  return fmt::format("{:>12} {:>12} {:>10} {:>10} {:>7} {:>8}  {}\n", grouped(s.vertices),
+                     grouped(s.faces), grouped(s.components), grouped(s.boundary_curves),
+                     grouped(s.genus), grouped(defects), printable(file));
+}
+
+std::string json_list(std::span<const std::string> files) {
+  std::string out;
+  for (const std::string& file : files) out += (out.empty() ? "[" : ",\n") + file;
+  return out.empty() ? "[]" : out + "]";
 }
 
 }  // namespace clers::cli

@@ -2,6 +2,7 @@
 #ifndef CLERS_CODEC_CLI_REPORT_H
 #define CLERS_CODEC_CLI_REPORT_H
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,10 +17,23 @@ struct Measured {
   MeshShape shape;
 };
 
+/// 1234567 -> "1,234,567".
+std::string grouped(std::uint64_t n);
+
+/// One file in detail.
 std::string info_text(const std::string& file, const FileInfo& info);
-std::string info_json(const std::string& file, const FileInfo& info);
 std::string check_text(const std::string& file, std::span<const Measured> meshes);
+
+/// Several files, a line each below a heading.
+std::string info_heading();
+std::string info_line(const std::string& file, const FileInfo& info);
+std::string check_heading();
+std::string check_line(const std::string& file, std::span<const Measured> meshes);
+
+/// One file as JSON, and a list of such; without a line end.
+std::string info_json(const std::string& file, const FileInfo& info);
 std::string check_json(const std::string& file, std::span<const Measured> meshes);
+std::string json_list(std::span<const std::string> files);
 
 }  // namespace clers::cli
 

@@ -1,0 +1,566 @@
+// The only file that knows the argument parser.
+#include "codec/cli/command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <string_view>
+
+#include "codec/cli/commands.h"
+#include "codec/cli/files.h"
+#include "codec/cli/printable.h"
+#include "codec/cli/words.h"
+#include "codec/version.h"
+
+namespace clers::cli {
+namespace {
+
+constexpr char exit_statuses[] =
+    "Exit status: 0 done; 1 verify found a difference; 2 usage, or an output exists;\n"
+    "3 an input cannot be read or is not accepted; 4 a limit was hit; 5 writing\n"
+    "failed; 6 verify could not decide.";
+
+/// What other programs call our commands.
+const std::map<std::string, std::string> other_names = {
+    {"compress", "encode"},   {"pack", "encode"},       {"zip", "encode"},
+    {"decompress", "decode"}, {"uncompress", "decode"}, {"unpack", "decode"},
+    {"extract", "decode"},    {"restore", "decode"},    {"list", "info"},
+    {"show", "info"},         {"inspect", "info"},      {"stat", "info"},
+    {"test", "verify"},       {"compare", "verify"},    {"diff", "verify"},
+    {"measure", "check"},     {"validate", "check"},    {"refine", "subdivide"}};
+
+std::string in_quotes(const std::string& text) {
+  return "'" + printable(text) + "'";
+}
+
+/// All of the text as a number.
+template <class T>
+bool parse(std::string_view text, T& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+/// A number of bytes, plain or with k, M, G or T and perhaps B or iB behind it: powers of 1024.
+bool parse_size(std::string_view text, std::uint64_t& size) {
+  for (const std::string_view bytes : {"iB", "B"})
+    if (text.ends_with(bytes)) {
+      text.remove_suffix(bytes.size());
+      if (bytes == "iB" && (text.empty() || std::isdigit(static_cast<unsigned char>(text.back()))))
+        return false;
+      break;
+    }
+  const std::size_t power =
+      text.empty() ? 0 : std::string_view("kKmMgGtT").find(text.back()) / 2 + 1;
+  const bool has_unit = power >= 1 && power <= 4;
+  if (has_unit) text.remove_suffix(1);
+  const unsigned shift = has_unit ? 10 * static_cast<unsigned>(power) : 0;
+  if (!parse(text, size) || size > ~std::uint64_t{0} >> shift) return false;
+  size <<= shift;
+  return true;
+}
+
+/// Help that fits 80 columns.
+class Help : public CLI::Formatter {
+ public:
+  Help() {
+    column_width(left);
+    label("SUBCOMMAND", "COMMAND");
+    label("Positionals", "Arguments");
+  }
+  std::string make_option(const CLI::Option* option, bool positional) const override {
+    return row(make_option_name(option, positional) + make_option_opts(option),
+               make_option_desc(option));
+  }
+  std::string make_subcommand(const CLI::App* sub) const override {
+    return row(sub->get_display_name(true), sub->get_description());
+  }
+  std::string make_option_opts(const CLI::Option* option) const override {
+    const std::string& text = option->get_option_text();
+    return text.empty() ? "" : " " + text;
+  }
+  std::string make_option_name(const CLI::Option* option, bool positional) const override {
+    return option->check_name("-1") ? "-1 .. -9" : Formatter::make_option_name(option, positional);
+  }
+
+ private:
+  static constexpr std::size_t left = 26, all = 79;
+
+  /// The name, and what it means from column `left` on.
+  static std::string row(const std::string& name, const std::string& what) {
+    std::string out, line = "  " + name;
+    if (line.size() + 2 > left) {
+      out = line + "\n";
+      line.clear();
+    }
+    line.resize(left, ' ');
+    std::string_view rest = what;
+    while (rest.size() > all - left) {
+      const std::size_t space = rest.rfind(' ', all - left);
+      if (space == std::string_view::npos) break;
+      out.append(line).append(rest.substr(0, space)).append("\n");
+      line.assign(left, ' ');
+      rest.remove_prefix(space + 1);
+    }
+    return out.append(line).append(rest).append("\n");
+  }
+};
+
+class CommandLine {
+ public:
+  CommandLine() {
+    app_.formatter(std::make_shared<Help>());
+    app_.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    app_.require_subcommand(0, 1);  // none: run() says so better
+    app_.set_help_flag("-h,--help", "print this help and exit");
+    app_.set_version_flag("-V,--version", std::string("clers ") + version, "print the version");
+    app_.footer(
+        std::string("Examples:\n"
+                    "  clers encode bunny.ply               makes bunny.clers\n"
+                    "  clers decode bunny.clers -o bunny.obj\n"
+                    "  clers verify bunny.ply bunny.clers\n"
+                    "  clers encode scans/*.ply -o packed/\n"
+                    "`clers help COMMAND` has more. A file `-` is standard input or output.\n\n") +
+        exit_statuses);
+    add_encode();
+    add_decode();
+    add_info();
+    add_verify();
+    add_check();
+    add_subdivide();
+    CLI::App* help = app_.add_subcommand("help", "Explain a command")->group("Commands");
+    help->footer("Examples:\n  clers help encode");
+    help->add_option("COMMAND", topic_, "what to explain; none: the program")->option_text(" ");
+    help->callback([this] { help_ = true; });
+  }
+
+  Exit run(int argc, char** argv) {
+    dashes_ = std::find(argv, argv + argc, std::string_view("--")) != argv + argc;
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::CallForVersion& asked) {
+      return say(std::string(asked.what()) + "\n");
+    } catch (const CLI::Success&) {  // --help, of the program or of a command
+      return say(app_.help());
+    } catch (const CLI::ParseError& error) {
+      if (const auto unknown = unknown_argument()) return usage(*unknown);
+      return usage(error.what());
+    }
+    if (help_) {
+      if (const auto unknown = unknown_argument()) return usage(*unknown);
+      return explain();
+    }
+    if (command_ == nullptr) return usage("a command is needed: " + list(command_names(), "or"));
+    if (!digit_.empty()) options_.encode.level = digit_[0] - '0';
+    options_.inputs = many_;
+    if (!original_.empty()) options_.inputs.push_back(original_);
+    if (!one_.empty()) options_.inputs.push_back(one_);
+    if (const auto unknown = unknown_argument()) return usage(*unknown);
+    if (const auto wrong = mistaken_input()) return usage(*wrong);
+    return command_(options_);
+  }
+
+ private:
+  using Command = Exit (*)(const Options&);
+
+  // ---- Commands
+
+  void add_encode() {
+    CLI::App& encode =
+        add("encode", cli::encode, "Compress mesh files",
+            "Without -o, a.ply becomes a.clers beside it, and standard input goes to standard\n"
+            "output.\n\n"
+            "Examples:\n"
+            "  clers encode bunny.ply\n"
+            "  clers encode -9 a.obj b.off c.stl -o packed/\n"
+            "  curl -s https://example.org/m.ply | clers encode --from ply - >m.clers");
+    inputs(encode, "mesh files: ply, obj, off, stl");
+    output(encode, "the .clers file, or a directory for several");
+    from(encode);
+    CLI::Option* digits = encode.add_flag("-1{1},-2{2},-3{3},-4{4},-5{5},-6{6},-7{7},-8{8},-9{9}",
+                                          digit_, "the level, as --level");
+    number(encode, "--level", options_.encode.level, min_level, max_level,
+           "1 is fastest, 9 is smallest; 5 is the default")
+        .excludes(digits);
+    choice(encode, "--order", options_.encode.order, {{"free", Order::free}, {"keep", Order::keep}},
+           "keep: the order of vertices and faces comes back too; free is the default")
+        .option_text("free|keep");
+    encode
+        .add_option(
+            "--pieces",
+            [this](const CLI::results_t& values) {
+              return parse_pieces(values.back(), options_.encode.piece_faces);
+            },
+            fmt::format("code meshes of more faces in pieces of about so many, which decode alone; "
+                        "default: {}, if there are more than {}",
+                        default_piece_faces, most_faces_whole))
+        ->option_text("N|never");
+    threads(encode);
+    oddity(
+        encode, "--on-nonmanifold", options_.encode.on_nonmanifold,
+        "error: refuse edges of more than two faces, vertices of several fans, one-sided surfaces");
+    oddity(encode, "--on-degenerate", options_.encode.on_degenerate,
+           "error: refuse faces that use a vertex twice, or have fewer than three corners");
+    oddity(encode, "--on-duplicate", options_.encode.on_duplicate,
+           "error: refuse faces on the same vertices as another");
+    encode.add_flag("--strict", options_.strict,
+                    "refuse a file of which something cannot be carried, such as materials");
+    keep_or_remove(encode);
+    force(encode);
+    quiet(encode);
+  }
+
+  void add_decode() {
+    CLI::App& decode =
+        add("decode", cli::decode, "Restore mesh files",
+            "Without -o, a.clers becomes a file beside it in the format that was encoded, and\n"
+            "standard input goes to standard output.\n\n"
+            "Examples:\n"
+            "  clers decode bunny.clers\n"
+            "  clers decode packed/*.clers --to obj -o restored/\n"
+            "  clers decode bunny.clers --to off -c | head");
+    inputs(decode, ".clers files");
+    output(decode, "the mesh file, or a directory for several");
+    to(decode, "format of the output; default: by its name, else as encoded, else ply");
+    text(decode);
+    decode
+        .add_option(
+            "--piece",
+            [this](const CLI::results_t& values) {
+              if (!parse(values.back(), options_.piece.emplace()))
+                refuse("--piece", "the number of a piece, from 0", values.back());
+              return true;
+            },
+            "only this piece of all meshes', from 0; clers info says how many there are")
+        ->option_text("K");
+    threads(decode);
+    limits(decode);
+    keep_or_remove(decode);
+    force(decode);
+    quiet(decode);
+  }
+
+  void add_info() {
+    CLI::App& info = add("info", cli::info, "Describe .clers files: their meshes and their cost",
+                         "Several files: a line each.\n\n"
+                         "Examples:\n"
+                         "  clers info bunny.clers\n"
+                         "  clers info packed/*.clers\n"
+                         "  clers info --json bunny.clers | jq .connectivity_bits_per_triangle");
+    inputs(info, ".clers files");
+    json(info);
+    limits(info);
+  }
+
+  void add_verify() {
+    CLI::App& verify =
+        add("verify", cli::verify, "Decode a file and compare it with its original",
+            "Faces and vertices may be in another order; all else must be equal bit for bit.\n"
+            "What a mesh file has that is not carried is named, and is no difference but\n"
+            "with --strict. Exit status 1: they differ; 6: this could not be decided.\n\n"
+            "Examples:\n"
+            "  clers verify bunny.ply bunny.clers");
+    verify.add_option("ORIGINAL", original_, "the mesh file that was encoded")
+        ->required()
+        ->option_text(" ");
+    verify.add_option("FILE", one_, "the .clers file")->required()->option_text(" ");
+    from(verify);
+    verify.add_flag("--strict", options_.strict, "what is not carried is a difference too");
+    threads(verify);
+    limits(verify);
+    quiet(verify);
+  }
+
+  void add_check() {
+    CLI::App& check = add("check", cli::check, "Measure mesh files: their shape and their defects",
+                          "Several files: a line each.\n\n"
+                          "Examples:\n"
+                          "  clers check bunny.ply\n"
+                          "  clers check scans/*.ply\n"
+                          "  clers check --json bunny.ply | jq .genus");
+    inputs(check, "mesh files: ply, obj, off, stl");
+    from(check);
+    json(check);
+    quiet(check);
+  }
+
+  void add_subdivide() {
+    CLI::App& subdivide =
+        add("subdivide", cli::subdivide, "Subdivide mesh files towards a smooth surface",
+            "loop makes 4 triangles of one, sqrt3 makes 3; 4-8 first pairs triangles and\n"
+            "halves them, and then makes 2 of one. The number of components, boundary curves\n"
+            "and handles stays. Polygons and non-manifold meshes are refused.\n\n"
+            "Examples:\n"
+            "  clers subdivide bunny.ply -o smooth.ply --scheme loop\n"
+            "  clers subdivide bunny.ply -o finer.obj --scheme sqrt3 --times 2\n"
+            "  clers subdivide a.obj b.off --scheme 4-8 --times 4 --to ply -o finer/");
+    inputs(subdivide, "mesh files: ply, obj, off, stl");
+    output(subdivide, "the mesh file, or a directory for several");
+    choice(subdivide, "--scheme", options_.subdivision.scheme,
+           {{"sqrt3", Scheme::sqrt3}, {"loop", Scheme::loop}, {"4-8", Scheme::four_eight}},
+           "how; required")
+        .required()
+        ->option_text("sqrt3|loop|4-8");
+    number(subdivide, "--times", options_.subdivision.times, 1u, 30u,
+           "how many steps, 1 to 30; 1 is the default");
+    from(subdivide);
+    to(subdivide, "format of the output; default: by its name, else that of the input");
+    text(subdivide);
+    force(subdivide);
+    quiet(subdivide);
+  }
+
+  CLI::App& add(const char* name, Command command, const char* what, const char* footer) {
+    CLI::App* sub = app_.add_subcommand(name, what)->group("Commands");
+    sub->footer(footer);
+    sub->callback([this, command] { command_ = command; });
+    return *sub;
+  }
+
+  // ---- Options
+
+  void inputs(CLI::App& sub, const char* what) {
+    sub.add_option("FILE", many_, what)
+        ->required()
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->option_text("...");
+  }
+  void output(CLI::App& sub, const char* what) {
+    CLI::Option* to = sub.add_option("-o,--output", options_.output, what)->option_text("OUT");
+    sub.add_flag_callback(
+           "-c,--stdout", [this] { options_.output = "-"; }, "write to standard output")
+        ->excludes(to);
+  }
+  void from(CLI::App& sub) {
+    format(sub, "--from", options_.from, "format of the input; default: by its name");
+  }
+  void to(CLI::App& sub, const char* what) { format(sub, "--to", options_.to, what); }
+  void format(CLI::App& sub, const char* name, std::optional<io::Format>& target,
+              const char* what) {
+    sub.add_option(
+           name,
+           [&target, name](const CLI::results_t& values) {
+             target = io::format_of(values.back());
+             if (!target) refuse(name, "ply, obj, off or stl", values.back());
+             return true;
+           },
+           what)
+        ->option_text("ply|obj|off|stl");
+  }
+  void text(CLI::App& sub) {
+    sub.add_flag("--text", options_.text, "text instead of binary, for ply and stl");
+  }
+  void oddity(CLI::App& sub, const char* name, OnOddity& target, const char* what) {
+    choice(sub, name, target, {{"keep", OnOddity::keep}, {"error", OnOddity::error}}, what)
+        .option_text("keep|error");
+  }
+  void force(CLI::App& sub) {
+    sub.add_flag("-f,--force", options_.force, "overwrite the output; write to a terminal");
+  }
+  void quiet(CLI::App& sub) {
+    sub.add_flag("-q,--quiet", options_.quiet, "errors only: no result, notes or progress");
+  }
+  void json(CLI::App& sub) { sub.add_flag("--json", options_.json, "JSON, for programs"); }
+  void keep_or_remove(CLI::App& sub) {
+    CLI::Option* remove =
+        sub.add_flag("--rm", options_.remove_inputs,
+                     "remove an input once its output is written, if nothing is lost");
+    sub.add_flag_callback(
+           "-k,--keep", [this] { options_.remove_inputs = false; }, "keep the inputs (default)")
+        ->excludes(remove);
+  }
+  void threads(CLI::App& sub) {
+    options_.encode.threads = options_.decode.threads = 0;
+    sub.add_option(
+           "-T,--threads",
+           [this](const CLI::results_t& values) {
+             unsigned n = 0;
+             if (!parse(values.back(), n) || n > 1024)
+               refuse("--threads", "a number from 0 to 1024", values.back());
+             options_.encode.threads = options_.decode.threads = n;
+             return true;
+           },
+           "that work at the same time; 0, the default, is all cores. They make no difference to "
+           "the result")
+        ->option_text("N");
+  }
+  void limits(CLI::App& sub) {
+    Limits& limits = options_.decode.limits;
+    sub.add_option(
+           "--max-memory",
+           [&limits](const CLI::results_t& values) {
+             if (!parse_size(values.back(), limits.memory.emplace()))
+               refuse("--max-memory", "a size such as 64M or 2G", values.back());
+             return true;
+           },
+           "that decoding may take")
+        ->option_text("SIZE");
+    constexpr std::uint64_t most = ~std::uint64_t{0};
+    number(sub, "--max-vertices", limits.vertices, std::uint64_t{0}, most, "that a mesh may have");
+    number(sub, "--max-faces", limits.faces, std::uint64_t{0}, most, "that a mesh may have");
+    number(sub, "--max-meshes", limits.meshes, std::uint64_t{0}, most, "that a file may have");
+  }
+
+  // ---- Values
+
+  [[noreturn]] static void refuse(const char* option, const std::string& expected,
+                                  const std::string& found) {
+    throw CLI::ValidationError(option,
+                               fmt::format("expected {}, found {}", expected, in_quotes(found)));
+  }
+
+  template <class T>
+  CLI::Option& choice(CLI::App& sub, const char* name, T& target,
+                      std::vector<std::pair<std::string, T>> values, const char* what) {
+    return *sub.add_option(
+        name,
+        [&target, name, values = std::move(values)](const CLI::results_t& given) {
+          std::vector<std::string> words;
+          for (const auto& value : values) {
+            words.push_back(value.first);
+            if (value.first != given.back()) continue;
+            target = value.second;
+            return true;
+          }
+          refuse(name, list(words, "or"), given.back());
+        },
+        what);
+  }
+
+  template <class T>
+  CLI::Option& number(CLI::App& sub, const char* name, T& target, T least, T most,
+                      const char* what) {
+    return *sub.add_option(
+                   name,
+                   [&target, name, least, most](const CLI::results_t& given) {
+                     if (parse(given.back(), target) && target >= least && target <= most)
+                       return true;
+                     refuse(name,
+                            most == ~T{0} ? "a whole number"
+                                          : fmt::format("a number from {} to {}", least, most),
+                            given.back());
+                   },
+                   what)
+                ->option_text("N");
+  }
+
+  static bool parse_pieces(const std::string& text, std::uint32_t& faces) {
+    if (text == "never")
+      faces = never_in_pieces;
+    else if (!parse(text, faces))
+      refuse("--pieces", "a number of faces or never", text);
+    return true;
+  }
+
+  // ---- What is wrong
+
+  std::vector<std::string> command_names() const {
+    std::vector<std::string> names;
+    for (const CLI::App* sub : app_.get_subcommands([](const CLI::App*) { return true; }))
+      names.push_back(sub->get_name());
+    return names;
+  }
+
+  std::string unknown_command(const std::string& word) const {
+    const std::string what = "unknown command " + in_quotes(word);
+    if (io::format_of(word) && word.find('.') != std::string::npos)
+      return fmt::format("a command is needed, such as: clers encode {}", printable(word));
+    if (word.ends_with(".clers"))
+      return fmt::format("a command is needed, such as: clers decode {}", printable(word));
+    const auto other = other_names.find(word);
+    const auto meant =
+        other != other_names.end() ? std::optional(other->second) : closest(word, command_names());
+    return meant ? fmt::format("{}; did you mean {}?", what, *meant)
+                 : fmt::format("{}; expected {}", what, list(command_names(), "or"));
+  }
+
+  static std::string unknown_option(const CLI::App& app, std::string word) {
+    word = word.substr(0, word.find('='));
+    std::vector<std::string> known;
+    for (const CLI::Option* option : app.get_options())
+      for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+    const auto meant = word.starts_with("--") ? closest(word, known) : std::nullopt;
+    return "unknown option " + in_quotes(word) +
+           (meant ? fmt::format("; did you mean {}?", *meant) : "");
+  }
+
+  /// The first argument that nothing knows.
+  std::optional<std::string> unknown_argument() const {
+    const auto commands = app_.get_subcommands();
+    if (const auto words = app_.remaining(); !words.empty())
+      return words[0].starts_with('-')
+                 ? unknown_option(app_, words[0]) + "; options follow a command, such as encode"
+                 : unknown_command(words[0]);
+    if (commands.empty()) return std::nullopt;
+    const CLI::App& sub = *commands.front();
+    // The parser takes what looks like a negative number for a file.
+    for (const CLI::Option* option : sub.get_options())
+      if (option->get_positional() && !dashes_)
+        for (const std::string& file : option->results())
+          if (file.size() > 1 && file[0] == '-') return unknown_option(sub, file);
+    if (const auto words = sub.remaining(); !words.empty())
+      return words[0].starts_with('-') ? unknown_option(sub, words[0])
+                                       : in_quotes(words[0]) + " is one argument too many";
+    return std::nullopt;
+  }
+
+  /// Inputs that look like something else.
+  std::optional<std::string> mistaken_input() const {
+    if (options_.inputs.size() == 2) {
+      const std::string &first = options_.inputs[0], &last = options_.inputs[1];
+      const auto is_mesh = [](const std::string& name) {
+        return name.find('.') != std::string::npos && io::format_of(name);
+      };
+      const bool swapped = first.ends_with(".clers") && is_mesh(last);
+      if (command_ == &cli::verify && swapped)
+        return fmt::format("the original comes first; did you mean clers verify {} {}?",
+                           printable(last), printable(first));
+      const bool output =
+          (command_ == &cli::encode && is_mesh(first) && last.ends_with(".clers")) ||
+          (command_ == &cli::decode && swapped);
+      if (output && !options_.output)
+        return fmt::format("{} is no input; did you mean -o {}?", printable(last), printable(last));
+    }
+    if (options_.piece && options_.remove_inputs)
+      return "--rm and --piece: a piece is not all of its file";
+    return std::nullopt;
+  }
+
+  Exit usage(const std::string& what) const {
+    const auto commands = app_.get_subcommands();
+    const std::string of = commands.empty() ? "" : commands.front()->get_name() + " ";
+    complain(fmt::format("{}{} see clers {}--help", what, what.ends_with('?') ? "" : ";", of));
+    return Exit::usage;
+  }
+
+  Exit explain() {
+    if (topic_.empty()) return say(CommandLine().app_.help());  // of one that parsed no command
+    const auto subs =
+        app_.get_subcommands([this](const CLI::App* sub) { return sub->get_name() == topic_; });
+    return subs.empty() ? usage(unknown_command(topic_)) : say(subs.front()->help("clers"));
+  }
+
+  Exit say(const std::string& text) {
+    const Outcome<Done> printed = print(text);
+    if (printed) return Exit::done;
+    complain(printed.error().line);
+    return printed.error().exit;
+  }
+
+  CLI::App app_{"Compresses meshes without losing a bit of them.", "clers"};
+  Options options_;
+  std::vector<std::string> many_;
+  std::string digit_, original_, one_, topic_;
+  bool help_ = false, dashes_ = false;  ///< help is asked for; "--" comes before files
+  Command command_ = nullptr;
+};
+
+}  // namespace
+
+Exit run(int argc, char** argv) {
+  return CommandLine().run(argc, argv);
+}
+
+}  // namespace clers::cli

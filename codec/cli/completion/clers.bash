@@ -1,0 +1,61 @@
+# Completion of clers for bash. test/options_test.sh compares the options with those of the program.
+_clers() {
+  local cur prev words cword
+  _init_completion -n = || return
+
+  local command="" i
+  for ((i = 1; i < cword; ++i)); do
+    [[ ${words[i]} == -* ]] || { command=${words[i]} && break; }
+  done
+  if [[ -z $command ]]; then
+    COMPREPLY=($(compgen -W "encode decode info verify check subdivide help -h --help -V --version" -- "$cur"))
+    return
+  fi
+
+  case $prev in
+    --from | --to) COMPREPLY=($(compgen -W "ply obj off stl" -- "$cur")) && return ;;
+    --level) COMPREPLY=($(compgen -W "1 2 3 4 5 6 7 8 9" -- "$cur")) && return ;;
+    --order) COMPREPLY=($(compgen -W "free keep" -- "$cur")) && return ;;
+    --pieces) COMPREPLY=($(compgen -W "never" -- "$cur")) && return ;;
+    --on-nonmanifold | --on-degenerate | --on-duplicate)
+      COMPREPLY=($(compgen -W "keep error" -- "$cur")) && return ;;
+    --scheme) COMPREPLY=($(compgen -W "sqrt3 loop 4-8" -- "$cur")) && return ;;
+    --piece | --times | -T | --threads | --max-*) return ;;
+    -o | --output) _filedir && return ;;
+  esac
+
+  local limits="--max-memory --max-vertices --max-faces --max-meshes"
+  local meshes="@(ply|obj|off|stl)" options files
+  case $command in
+    encode)
+      options="-h --help -o --output -c --stdout --from -1 -2 -3 -4 -5 -6 -7 -8 -9 --level --order --pieces
+        -T --threads --on-nonmanifold --on-degenerate --on-duplicate --strict --rm -k --keep -f --force
+        -q --quiet"
+      files=$meshes ;;
+    decode)
+      options="-h --help -o --output -c --stdout --to --text --piece -T --threads $limits --rm -k --keep
+        -f --force -q --quiet"
+      files=clers ;;
+    info)
+      options="-h --help --json $limits"
+      files=clers ;;
+    verify)
+      options="-h --help --from --strict -T --threads $limits -q --quiet"
+      files="@(ply|obj|off|stl|clers)" ;;
+    check)
+      options="-h --help --from --json -q --quiet"
+      files=$meshes ;;
+    subdivide)
+      options="-h --help -o --output -c --stdout --scheme --times --from --to --text -f --force -q --quiet"
+      files=$meshes ;;
+    help)
+      COMPREPLY=($(compgen -W "encode decode info verify check subdivide -h --help" -- "$cur"))
+      return ;;
+    *) return ;;
+  esac
+  if [[ $cur == -* ]]; then
+    COMPREPLY=($(compgen -W "$options" -- "$cur"))
+  else
+    _filedir "$files"
+  fi
+} && complete -F _clers clers
