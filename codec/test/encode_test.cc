@@ -245,9 +245,9 @@ TEST(Decode, Limits) {
   --*options.limits.memory;
   const auto refused = decode(coded->bytes, options);
   EXPECT_EQ(refused.error().needed, *options.limits.memory + 1);
-  EXPECT_EQ(refused.error().what,
-            "the file needs " + std::to_string(refused.error().needed) +
-                " bytes of memory, the limit is " + std::to_string(*options.limits.memory));
+  EXPECT_EQ(refused.error().what, "the file needs " + std::to_string(refused.error().needed) +
+                                      " bytes of memory, the limit is " +
+                                      std::to_string(*options.limits.memory));
   options = {};
   options.limits.meshes = 0;
   EXPECT_EQ(decode(coded->bytes, options).error().code, ErrorCode::limit);
