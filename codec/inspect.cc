@@ -71,13 +71,14 @@ Expected<MeshInfo> look_at(const MeshSections& s) {
     mesh.cuts.turned_faces += decoded->turned_faces;
     mesh.cuts.copied_vertices += piece.copies;
     mesh.cuts.repeated_faces += piece.repeated_faces;
-    mesh.cuts.loose_faces += piece.loose_faces;
+    mesh.cuts.loose_faces += piece.folded_faces + piece.loose_faces;
     const auto letters = in_word_order(decoded->counts.letters);
     for (std::size_t i = 0; i < letters.size(); ++i) mesh.clers[i] += letters[i];
     mesh.connectivity_bytes += piece.payload_size + piece.seam_size;
     mesh.polygon_bytes += piece.polygons.bytes.size();
     mesh.stitching_bytes += piece.turned.bytes.size() + piece.stitches.bytes.size() +
-                            piece.repeats.bytes.size() + piece.loose.bytes.size() + piece.seam_size;
+                            piece.repeats.bytes.size() + piece.folded.bytes.size() +
+                            piece.loose.bytes.size() + piece.seam_size;
     add_attributes(piece, mesh);
   }
   if (auto ok = finish_mesh(s, faces); !ok) return Failure{ok.error()};

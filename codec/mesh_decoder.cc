@@ -7,6 +7,7 @@
 
 #include "codec/budget.h"
 #include "codec/file_order.h"
+#include "codec/folded_faces.h"
 #include "codec/loose_faces.h"
 #include "codec/parallel.h"
 #include "codec/plain_faces.h"
@@ -117,6 +118,28 @@ Expected<Done> append_repeats(const PieceSections& sections, std::vector<std::ui
   }
   if (left != 0) return broken(sections.repeats, "fewer repeated corners than declared");
   return finished(in, sections.repeats, "the repeated faces");
+}
+
+/// Appends the triangles on two vertices of an edge.
+Expected<Done> append_folded(const PieceSections& sections,
+                             std::span<const std::uint32_t> triangles,
+                             std::vector<std::uint32_t>& sizes,
+                             std::vector<std::uint32_t>& corners) {
+  rans::Decoder in(sections.folded.bytes);
+  DecodeFrom coder(in);
+  FoldedModel model;
+  std::uint32_t last = 0;
+  for (std::uint64_t i = 0; i < sections.folded_faces; ++i) {
+    const Folded folded = model.code(coder, {});
+    const std::uint32_t h = folded.half_edge;
+    if (h < last || h >= triangles.size())
+      return broken(sections.folded, "folded face " + std::to_string(i) + " has no such edge");
+    last = h;
+    const std::uint32_t a = triangles[h], b = triangles[h % 3 == 2 ? h - 2 : h + 1];
+    if (!sizes.empty()) sizes.push_back(3);
+    corners.insert(corners.end(), {a, folded.first_twice ? a : b, b});
+  }
+  return finished(in, sections.folded, "the folded faces");
 }
 
 Expected<Done> append_loose(const PieceSections& sections, std::span<const std::uint32_t> triangles,
@@ -266,6 +289,9 @@ Expected<DecodedFaces> decode_faces(const PieceSections& sections) {
   }
   if (sections.features & feature::repeats)
     if (auto ok = append_repeats(sections, mesh.face_sizes, mesh.corners); !ok)
+      return Failure{ok.error()};
+  if (sections.features & feature::folded)
+    if (auto ok = append_folded(sections, along, mesh.face_sizes, mesh.corners); !ok)
       return Failure{ok.error()};
   if (sections.features & feature::loose)
     if (auto ok = append_loose(sections, along, mesh.face_sizes, mesh.corners); !ok)

@@ -11,6 +11,7 @@
 #include "codec/check.h"
 #include "codec/duplicates.h"
 #include "codec/file_order.h"
+#include "codec/folded_faces.h"
 #include "codec/loose_faces.h"
 #include "codec/mesh_features.h"
 #include "codec/metadata.h"
@@ -190,7 +191,8 @@ class MeshEncoder {
 
   Bytes surface_payload(const EncodedSurface& coded, const Bytes& loose) const {
     Bytes payload;
-    put_u8(payload, coded.features | (loose_.empty() ? 0 : feature::loose));
+    put_u8(payload, coded.features | (folded_ > 0 ? feature::folded : 0) |
+                        (loose_.size() > folded_ ? feature::loose : 0));
     put_varint(payload, mesh_.vertex_count - surface_vertices_);
     if (coded.features & feature::turned) {
       put_varint(payload, coded.runs.size());
@@ -313,19 +315,74 @@ class MeshEncoder {
       for (std::uint32_t& f : order().faces) f = kept_[f];
   }
 
-  /// Appends the loose faces to the order(). Returns what stands in the mesh section for them.
+  /// Appends the faces that are not on the surface to the order(). Returns what stands in the mesh
+  /// section for them.
   Bytes code_loose(std::span<const std::uint32_t> triangles) {
     Bytes out;
     if (loose_.empty()) return out;
     std::vector<std::uint32_t> number(mesh_.vertex_count);
     for (std::uint32_t i = 0; i < order().vertices.size(); ++i) number[order().vertices[i]] = i;
+    const std::vector<std::uint32_t> others = code_folded(triangles, number, out);
+    if (!others.empty()) code_others(others, triangles, number, out);
+    return out;
+  }
+
+  /// Appends triangles on two vertices of an edge. Returns what else is loose.
+  std::vector<std::uint32_t> code_folded(std::span<const std::uint32_t> triangles,
+                                         std::span<const std::uint32_t> number, Bytes& out) {
+    std::vector<TwoVertexFace> candidates;
+    std::vector<std::uint32_t> others;
+    for (const std::uint32_t f : loose_) {
+      const auto c = cycle_of(f);
+      const bool two = c.size() == 3 && (c[0] != c[1] || c[1] != c[2]);
+      if (!two) {
+        others.push_back(f);
+        continue;
+      }
+      const std::uint32_t a = number[c[0]], b = number[c[c[0] == c[1] ? 2 : 1]];
+      if (std::max(a, b) < surface_vertices_)
+        candidates.push_back({std::min(a, b), std::max(a, b), f});
+      else
+        others.push_back(f);
+    }
+    rans::Encoder stream;
+    EncodeTo coder(stream);
+    FoldedModel model;
+    std::uint64_t count = 0;
+    const auto visit = [&](std::uint32_t f, std::uint32_t h) {
+      const auto c = cycle_of(f);
+      const auto n = [&](std::uint32_t j) { return number[c[j % 3]]; };
+      // The corner after which the face is (a, a, b) or (a, b, b).
+      const std::uint32_t a = triangles[h];
+      std::uint32_t first = 0;
+      while (n(first) != a || n(first + 2) == a) ++first;
+      model.code(coder, {h, n(first + 1) == a});
+      order().faces.push_back(f);
+      order().first_corners.push_back(first);
+      ++count;
+    };
+    const auto left = find_folds(std::move(candidates), surface_vertices_, triangles, visit);
+    others.insert(others.end(), left.begin(), left.end());
+    std::sort(others.begin(), others.end());
+    folded_ = count;
+    if (count == 0) return others;
+    Bytes bytes;
+    stream.finish(bytes);
+    put_varint(out, count);
+    put_stream(out, bytes);
+    loose_bytes_ += bytes.size();
+    return others;
+  }
+
+  void code_others(std::span<const std::uint32_t> others, std::span<const std::uint32_t> triangles,
+                   std::span<const std::uint32_t> number, Bytes& out) {
     std::vector<std::uint32_t> corners;
     struct Loose {
       std::uint32_t face, rotation;
       std::size_t begin, size;
     };
     std::vector<Loose> faces;
-    for (const std::uint32_t f : loose_) {
+    for (const std::uint32_t f : others) {
       const std::size_t begin = corners.size();
       for (const std::uint32_t v : cycle_of(f)) corners.push_back(number[v]);
       const std::span<std::uint32_t> cycle = std::span(corners).subspan(begin);
@@ -353,8 +410,7 @@ class MeshEncoder {
     put_varint(out, faces.size());
     put_varint(out, corners.size());
     put_stream(out, bytes);
-    loose_bytes_ = bytes.size();
-    return out;
+    loose_bytes_ += bytes.size();
   }
 
   /// Vertices that loose faces have and the surface has not.
@@ -421,6 +477,7 @@ class MeshEncoder {
   std::vector<std::uint32_t> loose_, kept_;         ///< faces; nothing kept: all are
   std::vector<std::uint32_t> kept_corners_, kept_sizes_;
   std::uint32_t surface_vertices_ = 0;
+  std::uint64_t folded_ = 0;  ///< of the loose faces
   std::size_t loose_bytes_ = 0;
 };
 

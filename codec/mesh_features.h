@@ -16,7 +16,8 @@ inline constexpr std::uint32_t copies = 4;    ///< surface vertices that are one
 inline constexpr std::uint32_t loose = 8;     ///< faces that are not on the surface
 inline constexpr std::uint32_t plain = 16;    ///< alone: faces one by one, no surface
 inline constexpr std::uint32_t repeats = 32;  ///< faces that repeat one of the surface
-inline constexpr std::uint32_t on_surface = turned | polygons | copies | loose | repeats;
+inline constexpr std::uint32_t folded = 64;   ///< triangles on two vertices of an edge
+inline constexpr std::uint32_t on_surface = turned | polygons | copies | loose | repeats | folded;
 }  // namespace feature
 
 /// So that every corner has a number, and triangles made of polygons have.

@@ -69,6 +69,10 @@ Expected<Done> read_surface(const Section& section, ByteReader& in, PieceSection
     mesh.repeated_corners = in.varint();
     mesh.repeats = read_stream(in);
   }
+  if (mesh.features & feature::folded) {
+    mesh.folded_faces = in.varint();
+    mesh.folded = read_stream(in);
+  }
   if (mesh.features & feature::loose) {
     mesh.loose_faces = in.varint();
     mesh.loose_corners = in.varint();
@@ -103,6 +107,11 @@ Expected<Done> read_surface(const Section& section, ByteReader& in, PieceSection
                      std::to_string(mesh.repeated_corners) + " corners cannot be coded in " +
                      std::to_string(mesh.repeats.bytes.size()) + " bytes");
   }
+  if (mesh.features & feature::folded &&
+      (mesh.folded_faces == 0 ||
+       mesh.folded_faces > max_decisions_per_byte * mesh.folded.bytes.size()))
+    return invalid(std::to_string(mesh.folded_faces) + " folded faces cannot be coded in " +
+                   std::to_string(mesh.folded.bytes.size()) + " bytes");
   if (mesh.features & feature::loose) {
     const std::uint64_t most = max_decisions_per_byte * mesh.loose.bytes.size();
     if (mesh.loose_faces == 0 || mesh.loose_faces > most || mesh.loose_corners > most)
@@ -114,10 +123,10 @@ Expected<Done> read_surface(const Section& section, ByteReader& in, PieceSection
   if (others > 0xffffffffu - mesh.surface_vertices)
     return invalid(std::to_string(others) + " further vertices are more than there are numbers");
   mesh.vertices = mesh.surface_vertices + others;
-  mesh.faces = mesh.surface_faces + mesh.repeated_faces + mesh.loose_faces;
+  mesh.faces = mesh.surface_faces + mesh.repeated_faces + mesh.folded_faces + mesh.loose_faces;
   // A polygon of n corners is n - 2 triangles.
-  mesh.corners =
-      header->faces + 2 * mesh.surface_faces + mesh.repeated_corners + mesh.loose_corners;
+  mesh.corners = header->faces + 2 * mesh.surface_faces + mesh.repeated_corners +
+                 3 * mesh.folded_faces + mesh.loose_corners;
   if (mesh.corners > max_corners)
     return invalid(std::to_string(mesh.corners) + " corners are more than there are numbers");
   return Done{};

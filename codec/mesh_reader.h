@@ -28,13 +28,14 @@ struct PieceSections {
   };
   std::uint64_t vertices = 0, faces = 0, corners = 0;  ///< of the piece
   std::uint64_t surface_vertices = 0;                  ///< of the piece, that its surface has
-  std::uint64_t surface_faces = 0;                     ///< neither repeated nor loose
+  std::uint64_t surface_faces = 0;                     ///< neither repeated, folded nor loose
   std::uint32_t features = 0;
   std::uint64_t turned_runs = 0;
   std::uint64_t copies = 0;  ///< vertices that the surface has more than the piece
   std::uint64_t repeated_faces = 0, repeated_corners = 0;
+  std::uint64_t folded_faces = 0;
   std::uint64_t loose_faces = 0, loose_corners = 0;
-  Stream turned, polygons, stitches, repeats, loose, plain;
+  Stream turned, polygons, stitches, repeats, folded, loose, plain;
   ConnectivityHeader connectivity;
   std::span<const std::byte> connectivity_bytes;  ///< without what stands before
   std::uint64_t connectivity_at = 0;
