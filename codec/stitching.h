@@ -27,6 +27,10 @@ class Stitching {
   struct Neighbour {
     std::uint32_t place, next;
   };
+  static constexpr unsigned most_listed = 16;  ///< neighbours of a vertex, so that hubs cost no more
+  static constexpr std::uint64_t most_neighbours(std::uint64_t corners, std::uint64_t on_cuts) {
+    return std::min(2 * corners, most_listed * on_cuts);
+  }
 
  public:
   /// `corners` are triangles of surface vertices, all below `vertices`, of which there are more
@@ -37,8 +41,7 @@ class Stitching {
   /// Memory that a Stitching takes at most, in bytes.
   static std::uint64_t memory(std::uint64_t corners, std::uint64_t vertices, std::uint64_t copies) {
     const std::uint64_t on_cuts = std::min(vertices, 2 * copies);
-    const std::uint64_t listed = std::min(2 * corners, most_listed * on_cuts);
-    return 5 * vertices + 17 * on_cuts + 3 * sizeof(Neighbour) * listed;  // 3: a vector that grows
+    return 5 * vertices + 17 * on_cuts + sizeof(Neighbour) * most_neighbours(corners, on_cuts);
   }
 
   /// A Coder that encodes gets classes[v], the least vertex of the class of v; one that decodes
@@ -116,6 +119,7 @@ class Stitching {
     for (std::uint32_t i = 0; i < count; ++i) place_[on_cut_[i]] = i;
     first_.assign(count, none);
     listed_.assign(count, 0);
+    neighbours_.reserve(static_cast<std::size_t>(most_neighbours(triangles_.size(), count)));
     const auto list = [&](std::uint32_t a, std::uint32_t b) {
       if (!marks_[a] || !marks_[b]) return;
       const std::uint32_t i = place_[a];
