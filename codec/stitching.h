@@ -27,7 +27,8 @@ class Stitching {
   struct Neighbour {
     std::uint32_t place, next;
   };
-  static constexpr unsigned most_listed = 16;  ///< neighbours of a vertex, so that hubs cost no more
+  static constexpr unsigned most_listed =
+      16;  ///< neighbours of a vertex, so that hubs cost no more
   static constexpr std::uint64_t most_neighbours(std::uint64_t corners, std::uint64_t on_cuts) {
     return std::min(2 * corners, most_listed * on_cuts);
   }
@@ -75,9 +76,6 @@ class Stitching {
 
  private:
   static constexpr std::uint32_t none = 0xffffffffu;
-  static constexpr unsigned most_listed =
-      16;  ///< neighbours of a vertex, so that hubs cost no more
-
   void mark(std::span<const std::uint32_t> classes) {
     marks_.resize(vertices_);
     for (std::uint32_t v = 0; v < vertices_; ++v)
