@@ -47,23 +47,27 @@ struct TwoVertexFace {
 /// ascending half-edge: the first one of the edge. Returns the numbers of the others, ascending.
 /// Vertices are below `vertices`. Cost: linear in the triangles, n log n in the faces.
 template <class Visit>
-std::vector<std::uint32_t> find_folds(std::vector<TwoVertexFace> faces, std::uint32_t vertices,
+std::vector<std::uint32_t> find_folds(std::span<const TwoVertexFace> unsorted,
+                                      std::uint32_t vertices,
                                       std::span<const std::uint32_t> triangles, Visit visit) {
-  std::sort(faces.begin(), faces.end(), [](const TwoVertexFace& a, const TwoVertexFace& b) {
-    if (a.u != b.u) return a.u < b.u;
-    return a.v != b.v ? a.v < b.v : a.number < b.number;
-  });
-  std::vector<std::uint32_t> begin(vertices + std::size_t(1));  // by u
-  for (const TwoVertexFace& f : faces) ++begin[f.u];
-  for (std::size_t v = 0, sum = 0; v < begin.size(); ++v) {
-    sum += begin[v];
-    begin[v] = static_cast<std::uint32_t>(sum - begin[v]);
+  std::vector<std::uint32_t> begin(vertices + std::size_t(2));  // by u
+  std::vector<bool> is_v(vertices);
+  for (const TwoVertexFace& f : unsorted) {
+    ++begin[f.u + 2];
+    is_v[f.v] = true;
   }
+  for (std::size_t u = 2; u < begin.size(); ++u) begin[u] += begin[u - 1];
+  std::vector<TwoVertexFace> faces(unsorted.size());
+  for (const TwoVertexFace& f : unsorted) faces[begin[f.u + 1]++] = f;
+  for (std::uint32_t u = 0; u < vertices; ++u)
+    if (begin[u + 1] - begin[u] > 1)
+      std::stable_sort(faces.begin() + begin[u], faces.begin() + begin[u + 1],
+                       [](const auto& a, const auto& b) { return a.v < b.v; });
   std::vector<bool> taken(faces.size());
   for (std::uint32_t h = 0; h < triangles.size(); ++h) {
     const std::uint32_t a = triangles[h], b = triangles[h % 3 == 2 ? h - 2 : h + 1];
-    const auto [u, v] = std::minmax(a, b);
-    if (begin[u] == begin[u + 1]) continue;
+    const std::uint32_t u = std::min(a, b), v = std::max(a, b);
+    if (!is_v[v] || begin[u] == begin[u + 1]) continue;
     const auto less = [](const TwoVertexFace& f, std::uint32_t w) { return f.v < w; };
     auto i = static_cast<std::size_t>(
         std::lower_bound(faces.begin() + begin[u], faces.begin() + begin[u + 1], v, less) -
