@@ -122,21 +122,27 @@ class Cutter {
   /// Completes the twins. Returns the faces to reverse.
   std::vector<std::uint32_t> run() {
     for (std::uint32_t e = 0; e < ends_.size(); ++e) glue_doubles(e);
-    for (std::uint32_t e = 0; e < ends_.size(); ++e)
+    std::uint32_t open = 0;
+    bool against = false;  // a side that runs the same way as the other one of its edge
+    for (std::uint32_t e = 0; e < ends_.size(); ++e) {
+      against |= !is_crowded(e);
       for (std::uint32_t i = begin(e); i < ends_[e]; ++i)
         if (!twins_[sides_[i]]) {
-          flood(faces_.face(sides_[i]));
           edge_[sides_[i]] = e;
+          ++open;
         }
-    bool crowded = false;
-    for (std::uint32_t e = 0; e < ends_.size(); ++e) {
-      const std::uint32_t* side = &sides_[begin(e)];
-      if (is_crowded(e))
-        crowded = true;
-      else if (unite(side[0], side[1]))
-        glue(side[0], side[1]);
     }
-    if (crowded) join_regions();
+    // What regions there are is not worth to find out where few sides could be joined to others.
+    const bool crowded = open > 0, join = open > faces_.count() / 32;
+    if (against || join) {
+      for (const std::uint32_t h : sides_)
+        if (!twins_[h]) flood(faces_.face(h));
+      for (std::uint32_t e = 0; e < ends_.size(); ++e) {
+        const std::uint32_t* side = &sides_[begin(e)];
+        if (!is_crowded(e) && unite(side[0], side[1])) glue(side[0], side[1]);
+      }
+    }
+    if (join) join_regions();
     region_reversed_ = orientation_.fewer(faces_of_);
     if (crowded) zip();
 
@@ -408,43 +414,93 @@ void reverse(const Faces& faces, std::span<const std::uint32_t> reversed, CutSur
   }
 }
 
-/// Gives every fan of corners a vertex of its own.
-void split_vertices(const Faces& faces, std::uint32_t vertex_count, CutSurface& surface) {
-  std::vector<bool> seen(vertex_count);
-  std::vector<std::uint32_t> fan(surface.corners.size(), none);
-  for (std::uint32_t start = 0; start < fan.size(); ++start) {
-    if (fan[start] != none) continue;
-    std::uint32_t v = surface.corners[start];
-    if (seen[v]) {
-      surface.copied.push_back(v);
-      v = vertex_count + static_cast<std::uint32_t>(surface.copied.size() - 1);
-    } else {
-      seen[v] = true;
+/// Gives every fan of some vertices a vertex of its own; the first keeps the number.
+class FanSplitter {
+ public:
+  FanSplitter(const Faces& faces, std::uint32_t vertex_count, CutSurface& surface)
+      : faces_(faces), vertices_(vertex_count), surface_(surface), seen_(vertex_count) {}
+
+  /// Of all vertices.
+  void split_all() {
+    std::vector<bool> done(surface_.corners.size());
+    for (std::uint32_t h = 0; h < done.size(); ++h)
+      if (!done[h]) number(h, [&](std::uint32_t corner) { done[corner] = true; });
+  }
+
+  /// Of those where a boundary begins twice, and the ends of defective edges. A vertex at which
+  /// closed fans touch, of which no edge tells, is not among them.
+  void split_at(std::span<const std::uint32_t> defects) {
+    std::vector<bool> bounds(vertices_), chosen(vertices_);
+    bool any = false;
+    const auto choose = [&](std::uint32_t v) { chosen[v] = any = true; };
+    for (const std::uint32_t h : defects) choose(faces_.org[h]);
+    for (std::uint32_t h = 0; h < surface_.twins.size(); ++h) {
+      if (surface_.twins[h]) continue;
+      const std::uint32_t v = surface_.corners[h];
+      if (bounds[v]) choose(v);
+      bounds[v] = true;
     }
+    if (!any) return;
+    std::vector<std::uint32_t> corners;
+    for (std::uint32_t h = 0; h < surface_.corners.size(); ++h)
+      if (chosen[surface_.corners[h]]) corners.push_back(h);
+    // A corner whose number was changed, or whose fan was the first, is done.
+    std::vector<bool> done(surface_.corners.size());
+    for (const std::uint32_t h : corners)
+      if (!done[h]) number(h, [&](std::uint32_t corner) { done[corner] = true; });
+  }
+
+ private:
+  /// Numbers the fan of a corner.
+  template <class Visit>
+  void number(std::uint32_t start, Visit visit) {
+    std::vector<std::uint32_t>& corners = surface_.corners;
+    const std::vector<HalfEdge>& twins = surface_.twins;
+    std::uint32_t v = corners[start];
+    if (seen_[v]) {
+      surface_.copied.push_back(v);
+      v = vertices_ + static_cast<std::uint32_t>(surface_.copied.size() - 1);
+    } else {
+      seen_[v] = true;
+    }
+    const auto take = [&](std::uint32_t corner) {
+      corners[corner] = v;
+      visit(corner);
+    };
     std::uint32_t h = start;
     do {
-      fan[h] = v;
-      h = surface.twins[faces.prev(h)].index();
+      take(h);
+      h = twins[faces_.prev(h)].index();
     } while (h != none && h != start);
-    if (h == start) continue;
-    for (h = surface.twins[start].index(); h != none;) {
-      const std::uint32_t corner = faces.next(h);
-      fan[corner] = v;
-      h = surface.twins[corner].index();
+    if (h == start) return;
+    for (h = twins[start].index(); h != none;) {
+      const std::uint32_t corner = faces_.next(h);
+      take(corner);
+      h = twins[corner].index();
     }
   }
-  surface.corners = std::move(fan);
-}
+
+  const Faces& faces_;
+  const std::uint32_t vertices_;
+  CutSurface& surface_;
+  std::vector<bool> seen_;  ///< vertices of which a fan has the number
+};
 
 }  // namespace
 
-CutSurface cut(const Faces& faces, std::uint32_t vertex_count, Adjacency adjacency) {
+CutSurface cut(const Faces& faces, std::uint32_t vertex_count, Adjacency adjacency, Fans fans) {
   CutSurface surface;
   surface.corners.assign(faces.org.begin(), faces.org.end());
+  std::vector<std::uint32_t> defects;
   if (!adjacency.ends.empty()) surface.reversed = Cutter(faces, vertex_count, adjacency).run();
   surface.twins = std::move(adjacency.twins);
+  for (const std::uint32_t h : adjacency.sides) {
+    defects.push_back(h);
+    defects.push_back(faces.next(h));
+  }
   if (!surface.reversed.empty()) reverse(faces, surface.reversed, surface);
-  split_vertices(faces, vertex_count, surface);
+  FanSplitter splitter(faces, vertex_count, surface);
+  fans == Fans::all ? splitter.split_all() : splitter.split_at(defects);
   return surface;
 }
 

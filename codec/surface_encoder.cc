@@ -146,21 +146,24 @@ Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, bo
   return out;
 }
 
-/// Encodes faces that repeat none.
+/// Encodes faces that repeat none. At which vertices closed fans touch shows while the surface is
+/// unbuilt, and costs nothing till then; if it shows, or is likely to, all vertices are looked at.
 Expected<EncodedSurface> encode_distinct(const Faces& faces, std::span<const std::uint32_t> sizes,
                                          Adjacency adjacency, std::uint32_t vertex_count, int level,
                                          bool with_triangles) {
-  if (adjacency.ends.empty()) {
-    // Whether a vertex has several fans shows while the surface is unbuilt, and costs nothing till
-    // then.
-    auto coded = encode_faces({faces, adjacency.twins, vertex_count}, level, with_triangles);
-    if (coded || coded.error().code != ErrorCode::nonmanifold_vertex) return coded;
-    adjacency = match_edges(faces, vertex_count);
-  }
-  CutSurface surface = cut(faces, vertex_count, std::move(adjacency));
-  return encode_faces({Faces(surface.corners, sizes), surface.twins,
-                       vertex_count + static_cast<std::uint32_t>(surface.copied.size()), &surface},
-                      level, with_triangles);
+  const auto encode_cut = [&](Adjacency edges, Fans fans) {
+    CutSurface surface = cut(faces, vertex_count, std::move(edges), fans);
+    return encode_faces(
+        {Faces(surface.corners, sizes), surface.twins,
+         vertex_count + static_cast<std::uint32_t>(surface.copied.size()), &surface},
+        level, with_triangles);
+  };
+  const bool likely = adjacency.sides.size() > faces.count() / 64;
+  auto coded = adjacency.ends.empty()
+                   ? encode_faces({faces, adjacency.twins, vertex_count}, level, with_triangles)
+                   : encode_cut(std::move(adjacency), likely ? Fans::all : Fans::at_defects);
+  if (coded || coded.error().code != ErrorCode::nonmanifold_vertex) return coded;
+  return encode_cut(match_edges(faces, vertex_count), Fans::all);
 }
 
 /// Faces without those that repeat others.

@@ -155,8 +155,8 @@ TEST(Cut, IsNearTheBestOnSmallSoups) {
       org.insert(org.end(), f, f + 3);
       for (const std::uint32_t v : f) used[v] = true;
     }
-    const Cost found =
-        cost_of(cut(Faces(org, {}), vertices, match_edges(Faces(org, {}), vertices)), org);
+    const Cost found = cost_of(
+        cut(Faces(org, {}), vertices, match_edges(Faces(org, {}), vertices), Fans::all), org);
     const Cost optimum = Exhaustive(org).run();
     ASSERT_GE(found.total(), optimum.total()) << "seed " << seed;
     ours += found.total();
