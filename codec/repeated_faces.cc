@@ -97,8 +97,9 @@ std::vector<Repeat> find_repeats(const Faces& faces, const Adjacency& adjacency)
   std::sort(repeats.begin(), repeats.end(),
             [](const Repeat& a, const Repeat& b) { return a.face < b.face; });
   // A few are sooner cut off than left away.
-  if (repeats.size() < faces.count() / 64) repeats.clear();
-  if (!repeats.empty()) keep_doubled(faces, adjacency, repeats);
+  const auto few = [&] { return repeats.size() < faces.count() / 64; };
+  if (!repeats.empty() && !few()) keep_doubled(faces, adjacency, repeats);
+  if (few()) repeats.clear();
   return repeats;
 }
 
