@@ -190,29 +190,7 @@ class StreamingMatcher {
         result_.ends.push_back(static_cast<std::uint32_t>(result_.sides.size()));
       }
     }
-    if (result_.ends.size() > streamed) order_defects();
-  }
-
-  /// Brings edges into the order of their first sides.
-  void order_defects() {
-    struct Edge {
-      std::uint32_t first, begin, end;
-    };
-    std::vector<Edge> edges;
-    edges.reserve(result_.ends.size());
-    for (std::uint32_t begin = 0; const std::uint32_t end : result_.ends) {
-      edges.push_back({result_.sides[begin], begin, end});
-      begin = end;
-    }
-    std::sort(edges.begin(), edges.end(),
-              [](const Edge& a, const Edge& b) { return a.first < b.first; });
-    const std::vector<std::uint32_t> sides = std::move(result_.sides);
-    result_.sides.clear();
-    result_.ends.clear();
-    for (const Edge& e : edges) {
-      result_.sides.insert(result_.sides.end(), sides.begin() + e.begin, sides.begin() + e.end);
-      result_.ends.push_back(static_cast<std::uint32_t>(result_.sides.size()));
-    }
+    if (result_.ends.size() > streamed) order_defects(result_);
   }
 
   const Faces& faces_;
@@ -238,6 +216,27 @@ std::uint64_t fan_size(const Faces& faces, std::span<const HalfEdge> twins, std:
 }
 
 }  // namespace
+
+void order_defects(Adjacency& adjacency) {
+  struct Edge {
+    std::uint32_t first, begin, end;
+  };
+  std::vector<Edge> edges;
+  edges.reserve(adjacency.ends.size());
+  for (std::uint32_t begin = 0; const std::uint32_t end : adjacency.ends) {
+    edges.push_back({adjacency.sides[begin], begin, end});
+    begin = end;
+  }
+  std::sort(edges.begin(), edges.end(),
+            [](const Edge& a, const Edge& b) { return a.first < b.first; });
+  const std::vector<std::uint32_t> sides = std::move(adjacency.sides);
+  adjacency.sides.clear();
+  adjacency.ends.clear();
+  for (const Edge& e : edges) {
+    adjacency.sides.insert(adjacency.sides.end(), sides.begin() + e.begin, sides.begin() + e.end);
+    adjacency.ends.push_back(static_cast<std::uint32_t>(adjacency.sides.size()));
+  }
+}
 
 Adjacency match_edges(const Faces& faces, std::uint32_t vertex_count) {
   if (vertex_count <= faces.org.size()) return StreamingMatcher(faces, vertex_count).run();

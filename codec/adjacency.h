@@ -21,6 +21,9 @@ struct Adjacency {
   std::vector<std::uint32_t> sides, ends;
 };
 
+/// Brings defective edges into the order of their first sides.
+void order_defects(Adjacency& adjacency);
+
 /// Precondition: every face has three corners or more and repeats no vertex, and vertices are below
 /// vertex_count. Cost: linear, but for a sort of the sides of defective edges and of edges whose
 /// smaller vertex has more than eight to larger ones; 64 bytes a vertex besides the result, or 8 a

@@ -103,4 +103,55 @@ std::vector<Repeat> find_repeats(const Faces& faces, const Adjacency& adjacency)
   return repeats;
 }
 
+DistinctFaces::DistinctFaces(const Faces& all, std::span<const Repeat> repeats) {
+  const std::size_t count = all.count() - repeats.size();
+  faces.reserve(count);
+  corners.reserve(all.org.size());
+  if (!all.triangles()) sizes.reserve(count);
+  auto next = repeats.begin();
+  for (std::uint32_t f = 0; f < all.count(); ++f) {
+    if (next != repeats.end() && next->face == f) {
+      ++next;
+      continue;
+    }
+    const auto cycle = all.cycle(f);
+    corners.insert(corners.end(), cycle.begin(), cycle.end());
+    if (!all.triangles()) sizes.push_back(all.size(f));
+    faces.push_back(f);
+  }
+}
+
+Adjacency DistinctFaces::adjacency(const Faces& all, Adjacency of_all) const {
+  constexpr std::uint32_t none = HalfEdge::null_index;
+  std::vector<std::uint32_t> now(all.org.size(), none);  // of each half-edge that stays
+  std::uint32_t h = 0;
+  for (const std::uint32_t f : faces)
+    for (std::uint32_t g = all.begin(f); g < all.end(f); ++g) now[g] = h++;
+
+  Adjacency result;
+  std::vector<HalfEdge>& twins = of_all.twins;
+  for (std::uint32_t e = 0, begin = 0; e < of_all.ends.size(); begin = of_all.ends[e++]) {
+    const std::size_t first = result.sides.size();
+    for (std::uint32_t i = begin; i < of_all.ends[e]; ++i)
+      if (now[of_all.sides[i]] != none) result.sides.push_back(of_all.sides[i]);
+    const std::size_t left = result.sides.size() - first;
+    const bool pair = left == 2 && all.org[result.sides[first]] != all.org[result.sides[first + 1]];
+    if (pair) {
+      twins[result.sides[first]] = HalfEdge(result.sides[first + 1]);
+      twins[result.sides[first + 1]] = HalfEdge(result.sides[first]);
+    }
+    if (pair || left == 1)
+      result.sides.resize(first);
+    else
+      result.ends.push_back(static_cast<std::uint32_t>(result.sides.size()));
+  }
+  for (std::uint32_t& side : result.sides) side = now[side];
+  order_defects(result);
+  result.twins.reserve(corners.size());
+  for (const std::uint32_t f : faces)
+    for (std::uint32_t g = all.begin(f); g < all.end(f); ++g)
+      result.twins.push_back(HalfEdge(twins[g] ? now[twins[g].index()] : none));
+  return result;
+}
+
 }  // namespace clers

@@ -4,6 +4,7 @@
 #define CLERS_CODEC_REPEATED_FACES_H
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "codec/adjacency.h"
@@ -21,6 +22,18 @@ struct Repeat {
 /// faces at most. By ascending face. Precondition: `adjacency` is that of the faces. Cost: linear
 /// but for a sort of the faces of each defective edge.
 std::vector<Repeat> find_repeats(const Faces& faces, const Adjacency& adjacency);
+
+/// Faces without those that repeat others, in their order.
+struct DistinctFaces {
+  DistinctFaces(const Faces& all, std::span<const Repeat> repeats);
+
+  /// How their half-edges lie on edges, from how all do: what match_edges() would find. Cost:
+  /// linear.
+  Adjacency adjacency(const Faces& all, Adjacency of_all) const;
+
+  std::vector<std::uint32_t> faces;           ///< of all
+  std::vector<std::uint32_t> corners, sizes;  ///< no sizes: triangles
+};
 
 /// Codes repeats by ascending base.
 class RepeatModel {

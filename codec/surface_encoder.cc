@@ -166,27 +166,6 @@ Expected<EncodedSurface> encode_distinct(const Faces& faces, std::span<const std
   return encode_cut(match_edges(faces, vertex_count), Fans::all);
 }
 
-/// Faces without those that repeat others.
-struct DistinctFaces {
-  DistinctFaces(const Faces& all, std::span<const Repeat> repeats) {
-    const std::size_t count = all.count() - repeats.size();
-    faces.reserve(count);
-    if (!all.triangles()) sizes.reserve(count);
-    auto next = repeats.begin();
-    for (std::uint32_t f = 0; f < all.count(); ++f) {
-      if (next != repeats.end() && next->face == f) {
-        ++next;
-        continue;
-      }
-      const auto cycle = all.cycle(f);
-      corners.insert(corners.end(), cycle.begin(), cycle.end());
-      if (!all.triangles()) sizes.push_back(all.size(f));
-      faces.push_back(f);
-    }
-  }
-  std::vector<std::uint32_t> faces, corners, sizes;
-};
-
 /// Appends the faces that repeat others. `out` has those that do not, by their numbers in `all`.
 void put_repeats(const Faces& all, std::span<const Repeat> repeats, EncodedSurface& out) {
   const auto surface_faces = static_cast<std::uint32_t>(out.order.faces.size());
@@ -249,7 +228,7 @@ Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
   }
   const DistinctFaces distinct(all, repeats);
   const Faces faces(distinct.corners, distinct.sizes);
-  adjacency = match_edges(faces, vertex_count);
+  adjacency = distinct.adjacency(all, std::move(adjacency));
   if (shall_give_up(adjacency)) return nothing;
   auto coded = encode_distinct(faces, distinct.sizes, std::move(adjacency), vertex_count, level,
                                with_triangles);
