@@ -140,7 +140,7 @@ Adjacency DistinctFaces::adjacency(const Faces& all, Adjacency of_all) const {
       twins[result.sides[first]] = HalfEdge(result.sides[first + 1]);
       twins[result.sides[first + 1]] = HalfEdge(result.sides[first]);
     }
-    if (pair || left == 1)
+    if (pair || left <= 1)
       result.sides.resize(first);
     else
       result.ends.push_back(static_cast<std::uint32_t>(result.sides.size()));
