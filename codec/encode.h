@@ -83,9 +83,9 @@ struct Encoded {
 /// Errors: inconsistent_mesh, too_large, out_of_memory; and where options say so
 /// degenerate_face, duplicate_face, nonmanifold_edge, nonorientable, nonmanifold_vertex, each with
 /// the first offending element.
+/// Thread safe: calls share nothing.
 /// Cost: linear in the faces; O(log n) for each handle; and sorts of the faces at edges that are
-/// not manifold, of degenerate faces, and of the patches that pieces are made of. Thread safe:
-/// calls share nothing.
+/// not manifold, of degenerate faces, and of the patches that pieces are made of.
 Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& options = {});
 
 }  // namespace clers
