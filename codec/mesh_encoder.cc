@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -109,21 +110,28 @@ class MeshEncoder {
     progress("connectivity", 0.0);
     set_loose_aside();
     auto coded = encode_surface(corners_, sizes_, mesh_.vertex_count, options_.level,
-                                !mesh_.attributes.empty() || !loose_.empty());
+                                !mesh_.attributes.empty() || !loose_.empty(),
+                                [&] { return plain_bytes() < 3 * mesh_.face_count() / 2; });
     if (!coded) return Failure{coded.error()};
-    number(*coded);
-    const Bytes loose = code_loose(coded->triangles);
-    describe(*coded);
-
-    Bytes payload = surface_payload(*coded, loose), kept_order;
-    std::vector<std::uint32_t> triangles = std::move(coded->triangles);
+    Bytes payload, kept_order;
+    std::optional<Bytes> plain;
     const bool keep = options_.order == Order::keep;
-    if (keep) {
-      progress("order", 0.3);
-      kept_order = encode_order(mesh_, order(), in_coded_order(mesh_, order()));
+    if (coded->given_up) {
+      plain = plain_payload(mesh_.face_count());
+    } else {
+      number(*coded);
+      const Bytes loose = code_loose(coded->triangles);
+      payload = surface_payload(*coded, loose);
+      if (keep) {
+        progress("order", 0.3);
+        kept_order = encode_order(mesh_, order(), in_coded_order(mesh_, order()));
+      }
+      if (keep || coded->copies > 0) plain = plain_if_smaller(payload.size() + kept_order.size());
     }
-    if ((keep || coded->copies > 0) && plain_is_smaller(payload.size() + kept_order.size())) {
-      payload = plain_payload(mesh_.face_count());
+    describe(*coded);
+    std::vector<std::uint32_t> triangles = std::move(coded->triangles);
+    if (plain) {
+      payload = std::move(*plain);
       kept_order.clear();
       triangles = fan_triangles(mesh_.corners, mesh_.face_sizes);
       set_identity(mesh_, order());
@@ -216,15 +224,21 @@ class MeshEncoder {
     return payload;
   }
 
-  /// Whether the faces one by one, in the order of the input, take less than so many bytes.
-  bool plain_is_smaller(std::size_t bytes) const {
+  /// The faces one by one, in the order of the input, if that takes less than so many bytes.
+  std::optional<Bytes> plain_if_smaller(std::size_t bytes) const {
     // Never seen to take less than a bit a corner but for a few.
-    if (8 * bytes < mesh_.corners.size() / 2) return false;
-    constexpr std::size_t sample = 1024;
-    const std::size_t faces = mesh_.face_count();
-    if (faces > 4 * sample && plain_payload(sample).size() > bytes / (faces / sample)) return false;
-    return plain_payload(faces).size() < bytes;
+    if (8 * bytes < mesh_.corners.size() / 2) return std::nullopt;
+    if (mesh_.face_count() > 16 * plain_sample && plain_bytes() > bytes) return std::nullopt;
+    Bytes plain = plain_payload(mesh_.face_count());
+    return plain.size() < bytes ? std::optional(std::move(plain)) : std::nullopt;
   }
+
+  /// About how many bytes the faces one by one take, by the first of them.
+  std::size_t plain_bytes() const {
+    const std::size_t faces = mesh_.face_count(), sample = std::min(faces, plain_sample);
+    return sample == 0 ? 0 : plain_payload(sample).size() * faces / sample;
+  }
+  static constexpr std::size_t plain_sample = 1024;
 
   /// The first faces one by one, as they stand in the input.
   Bytes plain_payload(std::size_t faces) const {
@@ -414,18 +428,11 @@ class MeshEncoder {
     loose_bytes_ += bytes.size();
   }
 
-  /// Vertices that loose faces have and the surface has not.
-  std::uint64_t vertices_of_loose() {
-    if (loose_.empty()) return 0;
-    std::vector<bool> counted(mesh_.vertex_count);
-    for (std::uint32_t i = 0; i < surface_vertices_; ++i) counted[order().vertices[i]] = true;
-    std::uint64_t count = 0;
-    for (const std::uint32_t f : loose_)
-      for (const std::uint32_t v : cycle_of(f)) {
-        count += !counted[v];
-        counted[v] = true;
-      }
-    return count;
+  std::uint64_t used_vertices() const {
+    if (loose_.empty() && surface_vertices_ > 0) return surface_vertices_;
+    std::vector<bool> used(mesh_.vertex_count);
+    for (const std::uint32_t v : mesh_.corners) used[v] = true;
+    return static_cast<std::uint64_t>(std::count(used.begin(), used.end(), true));
   }
 
   void describe(const EncodedSurface& coded) {
@@ -442,7 +449,7 @@ class MeshEncoder {
     shape.components = coded.counts.components;
     shape.boundary_curves = coded.counts.boundary_curves;
     shape.genus = coded.counts.handles;
-    shape.isolated_vertices = mesh_.vertex_count - surface_vertices_ - vertices_of_loose();
+    shape.isolated_vertices = mesh_.vertex_count - used_vertices();
   }
 
   template <class Progress>

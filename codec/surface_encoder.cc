@@ -233,17 +233,26 @@ void put_repeats(const Faces& all, std::span<const Repeat> repeats, EncodedSurfa
 
 Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
                                         std::span<const std::uint32_t> sizes,
-                                        std::uint32_t vertex_count, int level,
-                                        bool with_triangles) {
+                                        std::uint32_t vertex_count, int level, bool with_triangles,
+                                        const std::function<bool()>& give_up) {
   const Faces all(corners, sizes);
   Adjacency adjacency = match_edges(all, vertex_count);
   const std::vector<Repeat> repeats = find_repeats(all, adjacency);
-  if (repeats.empty())
+  const auto shall_give_up = [&](const Adjacency& edges) {
+    return edges.sides.size() > edges.twins.size() / 2 && give_up();
+  };
+  EncodedSurface nothing;
+  nothing.given_up = true;
+  if (repeats.empty()) {
+    if (shall_give_up(adjacency)) return nothing;
     return encode_distinct(all, sizes, std::move(adjacency), vertex_count, level, with_triangles);
+  }
   const DistinctFaces distinct(all, repeats);
   const Faces faces(distinct.corners, distinct.sizes);
-  auto coded = encode_distinct(faces, distinct.sizes, match_edges(faces, vertex_count),
-                               vertex_count, level, with_triangles);
+  adjacency = match_edges(faces, vertex_count);
+  if (shall_give_up(adjacency)) return nothing;
+  auto coded = encode_distinct(faces, distinct.sizes, std::move(adjacency), vertex_count, level,
+                               with_triangles);
   if (!coded) return coded;
   for (std::uint32_t& f : coded->order.faces) f = distinct.faces[f];
   put_repeats(all, repeats, *coded);

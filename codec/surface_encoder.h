@@ -3,6 +3,7 @@
 #define CLERS_CODEC_SURFACE_ENCODER_H
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -24,19 +25,23 @@ struct EncodedSurface {
   Bytes turned, polygons, stitches, repeats;  ///< streams, where there are any
   Bytes connectivity;
   ConnectivityCounts counts;
+  bool given_up = false;                 ///< nothing else holds
   Permutation order;                     ///< vertices: only those that the surface has
   std::vector<std::uint32_t> triangles;  ///< of the surface, by new vertices of the mesh, all
                                          ///< running one way; left out if nobody wants them
 };
 
-/// Encodes faces, those that repeat others as references, and the rest cut where it is no oriented
-/// manifold. What depends on the order of the faces: cuts, and which face another one repeats.
+/// Encodes faces: those that repeat others as references, and the rest cut where it is no oriented
+/// manifold. Cuts, and which face another one repeats, depend on the order of the faces. Asks
+/// whether to give up where most sides lie on defective edges (adjacency.h), so that little of the
+/// faces is a surface.
 /// Precondition: every face has three corners or more, repeats no vertex, and vertices are below
 /// vertex_count. Errors: out_of_memory. Throws std::bad_alloc. Cost: linear, O(log n) for each
 /// handle, and sorts of the faces at edges that are not manifold.
 Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
                                         std::span<const std::uint32_t> sizes,
-                                        std::uint32_t vertex_count, int level, bool with_triangles);
+                                        std::uint32_t vertex_count, int level, bool with_triangles,
+                                        const std::function<bool()>& give_up);
 
 }  // namespace clers
 
