@@ -129,7 +129,9 @@ Told tell_briefly(const Record& record, int level, std::size_t ids) {
   using Kind = LetterModel::Kind;
   const LetterModel model = choose_model(record.contexts, level);
   Told told = tell(model, record, ids);
-  const bool little = told.bytes.size() < record.contexts.size() * 3 / 64;
+  const std::size_t size = told.bytes.size();
+  const bool little =
+      size > 96 && size < std::min<std::size_t>(512, record.contexts.size() * 3 / 64);
   if (model.kind == Kind::mixing || (level >= 5 && little)) {
     Told simpler = tell_briefly(record, model.kind == Kind::mixing ? 5 : 3, ids);
     if (simpler.bytes.size() < told.bytes.size()) return simpler;
