@@ -29,7 +29,7 @@ enum class OnOddity : std::uint8_t {
 
 /// What becomes of the order of vertices and faces, and of the corner that a face begins with.
 enum class Order : std::uint8_t {
-  free,  ///< the codec's; Encoded::permutations tells it
+  free,  ///< the codec's: Encoded::permutations
   keep,  ///< stored: index buffers come back identical
 };
 
@@ -37,8 +37,8 @@ struct EncodeOptions {
   int level = default_level;  ///< 1 fastest .. 9 smallest
 
   /// A mesh of more faces is coded in pieces of about so many, which decode alone: in less memory,
-  /// and by several threads. 0: in pieces of at most
-  /// about default_piece_faces, if it has positions and more than most_faces_whole faces.
+  /// and by several threads. 0: in pieces of at most about default_piece_faces, if it has positions
+  /// and more than most_faces_whole faces.
   std::uint32_t piece_faces = 0;
   unsigned threads = 1;  ///< over meshes and pieces, or the attributes of a single one; 0: one a
                          ///< core. They make no difference to the bytes
@@ -55,8 +55,8 @@ struct EncodeOptions {
   std::function<void(std::string_view stage, double done)> progress;
 };
 
-/// What the codec renumbered. Decoding gives the mesh in the new order. With Order::keep there is
-/// nothing to tell: all are 0, 1, 2 .. and first corners 0.
+/// What the codec renumbered. Decoding gives the mesh in the new order. With Order::keep all
+/// are 0, 1, 2 .. and first corners 0.
 struct Permutation {
   std::vector<std::uint32_t> vertices;       ///< vertices[new] = old, one for each vertex
   std::vector<std::uint32_t> faces;          ///< faces[new] = old, one for each face
@@ -76,12 +76,16 @@ struct Encoded {
 
 /// Encodes meshes into one .clers file.
 /// Same input and options give the same bytes, whatever the compiler, build or machine.
-/// Any faces are taken and come back: of any number of corners, on any vertices.
+/// Any faces are taken and come back: of any number of corners, on any vertices. A manifold mesh
+/// that comes back is encoded to the same bytes again, if it is whole, or if positions differ and
+/// the pieces are manifold too; other meshes to others perhaps, since cuts depend on the order of
+/// faces.
 /// Errors: inconsistent_mesh, too_large, out_of_memory; and where options say so
 /// degenerate_face, duplicate_face, nonmanifold_edge, nonorientable, nonmanifold_vertex, each with
 /// the first offending element.
-/// Cost: linear in the faces, and O(log n) for each handle.
 /// Thread safe: calls share nothing.
+/// Cost: linear in the faces; O(log n) for each handle; and sorts of the faces at edges that are
+/// not manifold, of degenerate faces, and of the patches that pieces are made of.
 Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& options = {});
 
 }  // namespace clers

@@ -22,8 +22,8 @@ struct Partition {
 };
 
 /// Parts the faces into as many pieces as it takes for `piece_faces` in each; a piece may have some
-/// percent more. Seams are short along the surface: what hangs together in a small cell of space
-/// stays together, and of such patches pieces are made so that few edges are cut (`cells.h`,
+/// percent more. Seams are short along the surface: faces that are connected within a small cell of
+/// space stay together, and of such patches pieces are made so that few edges are cut (`cells.h`,
 /// `bisection.h`). A face lies where most of its vertices do, and a component that is small beside
 /// a piece lies as a whole in one.
 ///

@@ -39,7 +39,7 @@ class PieceCutter {
 Expected<EncodedMesh> encode_piece(PieceCutter::Piece piece, std::span<const std::uint32_t> faces,
                                    const EncodeOptions& options, const Progress& progress);
 
-/// Makes one mesh of coded pieces: adds up what is told of them, and inserts the seams. The
+/// Makes one mesh of coded pieces: adds up what was found in them, and inserts the seams. The
 /// sections begin with the number of pieces; name and order are still missing.
 EncodedMesh join(std::vector<EncodedMesh> pieces, const Mesh& mesh);
 

@@ -31,10 +31,13 @@ struct EncodedSurface {
                                          ///< running one way; left out if nobody wants them
 };
 
-/// Encodes faces, cutting them where they are no oriented manifold. Asks whether to give up where
-/// most sides lie on edges of more than two faces, so that little of the faces is a surface.
+/// Encodes faces: those that repeat others as references, and the rest cut where it is no oriented
+/// manifold. Cuts, and which face another one repeats, depend on the order of the faces. Asks
+/// whether to give up where most sides lie on defective edges (adjacency.h), so that little of the
+/// faces is a surface.
 /// Precondition: every face has three corners or more, repeats no vertex, and vertices are below
-/// vertex_count. Errors: out_of_memory. Throws std::bad_alloc.
+/// vertex_count. Errors: out_of_memory. Throws std::bad_alloc. Cost: linear, O(log n) for each
+/// handle, and sorts of the faces at edges that are not manifold.
 Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
                                         std::span<const std::uint32_t> sizes,
                                         std::uint32_t vertex_count, int level, bool with_triangles,
