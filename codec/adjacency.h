@@ -26,8 +26,9 @@ void order_defects(Adjacency& adjacency);
 
 /// Precondition: every face has three corners or more and repeats no vertex, and vertices are below
 /// vertex_count. Cost: linear, but for a sort of the sides of defective edges and of edges whose
-/// smaller vertex has more than eight to larger ones; 64 bytes a vertex besides the result, or 8 a
-/// corner where most vertices are isolated. Throws std::bad_alloc only.
+/// smaller vertex has more than eight to larger ones; 64 bytes a vertex besides the result. Where
+/// there are more vertices than corners it is n log n, and 8 bytes a corner. Throws std::bad_alloc
+/// only.
 Adjacency match_edges(const Faces& faces, std::uint32_t vertex_count);
 
 /// Twins of the half-edges of faces, null on their boundary.

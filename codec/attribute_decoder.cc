@@ -6,9 +6,6 @@
 namespace clers {
 namespace {
 
-/// A block of zstd makes 128 KiB of 4 bytes at best.
-constexpr std::uint64_t max_expansion = 32768;
-
 /// Words in bytes.
 template <class U>
 class Words {
@@ -88,28 +85,8 @@ Expected<AttributeHeader> read_attribute_header(std::span<const std::byte> bytes
 
 Expected<Done> check_values(std::span<const std::byte> bytes, std::uint64_t at,
                             const AttributeHeader& header, std::uint64_t count) {
-  const std::span<const std::byte> packed = bytes.subspan(header.bytes);
-  const auto invalid = [&](std::size_t where, std::string what) {
-    return fail(ErrorCode::invalid, Place::byte, at + header.bytes + where, std::move(what));
-  };
-  const std::uint64_t size = count * header.attribute.stride();
-  if (size > max_expansion * packed.size())
-    return invalid(0, std::to_string(size) + " bytes of values cannot come from " +
-                          std::to_string(packed.size()));
-  // Not one that is to be skipped, nor one of zstd's old formats.
-  std::uint32_t magic = 0;
-  for (std::size_t i = 0; i < 4 && i < packed.size(); ++i)
-    magic |= std::to_integer<std::uint32_t>(packed[i]) << 8 * i;
-  if (magic != ZSTD_MAGICNUMBER) return invalid(0, "no zstd frame, which values must be");
-  const std::size_t frame = ZSTD_findFrameCompressedSize(packed.data(), packed.size());
-  if (ZSTD_isError(frame)) return invalid(0, std::string("zstd: ") + ZSTD_getErrorName(frame));
-  if (frame != packed.size())
-    return invalid(
-        frame, std::to_string(packed.size() - frame) + " bytes after the zstd frame of the values");
-  const unsigned long long content = ZSTD_getFrameContentSize(packed.data(), packed.size());
-  if (content != ZSTD_CONTENTSIZE_UNKNOWN && content != size)
-    return invalid(0, unlike(content, size));
-  return Done{};
+  return check_frame(bytes.subspan(header.bytes), at + header.bytes,
+                     count * header.attribute.stride(), "the values");
 }
 
 std::uint64_t decoding_memory(const AttributeHeader& header, std::uint64_t count) {

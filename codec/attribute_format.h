@@ -2,26 +2,15 @@
 #ifndef CLERS_CODEC_ATTRIBUTE_FORMAT_H
 #define CLERS_CODEC_ATTRIBUTE_FORMAT_H
 
-#include <zstd.h>
-#include <zstd_errors.h>
-
 #include <cstddef>
 #include <cstdint>
-#include <new>
 #include <span>
 
 #include "codec/attribute.h"
 #include "codec/prediction.h"
+#include "codec/zstd_frame.h"
 
 namespace clers {
-
-/// Passes on what a function of zstd returned, but throws if it had no memory: that is no fault of
-/// the data.
-inline std::size_t zstd_result(std::size_t result) {
-  if (ZSTD_isError(result) && ZSTD_getErrorCode(result) == ZSTD_error_memory_allocation)
-    throw std::bad_alloc();
-  return result;
-}
 
 constexpr bool is_float(Scalar s) {
   return s == Scalar::float32 || s == Scalar::float64;

@@ -132,7 +132,7 @@ class Cutter {
           ++open;
         }
     }
-    // What regions there are is not worth to find out where few sides could be joined to others.
+    // What regions there are is not worth finding out where few sides could be joined to others.
     const bool crowded = open > 0, join = open > faces_.count() / 32;
     if (against || join) {
       for (const std::uint32_t h : sides_)
@@ -255,6 +255,13 @@ class Cutter {
     open.resize(end[regions]);
     for (std::size_t i = sides_.size(); i-- > 0;)
       if (is_open(sides_[i])) open[--end[region(sides_[i])]] = sides_[i];
+    open_.assign(ends_.size(), none);
+    next_open_.assign(sides_.size(), none);
+    for (std::uint32_t i = static_cast<std::uint32_t>(sides_.size()); i-- > 0;)
+      if (is_open(sides_[i])) {
+        next_open_[i] = open_[edge_[sides_[i]]];
+        open_[edge_[sides_[i]]] = i;
+      }
     std::vector<bool> reached(regions);
     std::vector<std::uint32_t> queue;
     queue.reserve(regions);
@@ -278,10 +285,10 @@ class Cutter {
     }
   }
 
-  /// The side to glue to h, of those of its edge: one of another surface,
-  /// best one that need not be reversed and is no face on the same vertices. None if one of the
-  /// same surface suits better: it is zipped later, or else would make a handle, which costs more
-  /// than the copies of two vertices.
+  /// The side to glue to h, of those of its edge: one of another surface that needs no reversal,
+  /// best one that is no face on the same vertices. None if one of the same surface suits better:
+  /// it is zipped later, or else would make a handle, which costs more than the copies of two
+  /// vertices.
   std::uint32_t partner(std::uint32_t h) {
     constexpr unsigned patience = 8;
     struct Candidate {
@@ -292,10 +299,14 @@ class Cutter {
     unsigned count = 0, seen = 0;
     bool other_vertices = false;  // than those of the face
     const Orientation::Place here = orientation_.find(region(h));
-    const std::uint32_t e = edge_[h];
-    for (std::uint32_t i = begin(e); i < ends_[e] && seen < patience; ++i) {
-      const std::uint32_t g = sides_[i];
-      if (twins_[g]) continue;
+    std::uint32_t* link = &open_[edge_[h]];
+    while (*link != none && seen < patience) {
+      const std::uint32_t g = sides_[*link];
+      if (twins_[g]) {
+        *link = next_open_[*link];  // glued, and never looked at again
+        continue;
+      }
+      link = &next_open_[*link];
       ++seen;
       if (faces_.face(g) == faces_.face(h)) continue;
       const bool unlike = !alike(g, h);
@@ -382,9 +393,10 @@ class Cutter {
   const std::uint32_t vertices_;
   const std::vector<std::uint32_t>&sides_, &ends_;  ///< of defective edges
   std::vector<HalfEdge>& twins_;
-  std::vector<std::uint32_t> region_;    ///< of each face, where it has a defective edge
-  std::vector<std::uint32_t> faces_of_;  ///< each region: how many
-  std::vector<std::uint32_t> edge_;      ///< of each half-edge, if defective
+  std::vector<std::uint32_t> region_;            ///< of each face, where it has a defective edge
+  std::vector<std::uint32_t> faces_of_;          ///< each region: how many
+  std::vector<std::uint32_t> edge_;              ///< of each half-edge, if defective
+  std::vector<std::uint32_t> open_, next_open_;  ///< sides of each edge that are not glued: a list
   std::vector<std::uint32_t> stack_, waiting_[2];
   std::vector<bool> region_reversed_;
   Orientation orientation_;

@@ -30,9 +30,9 @@ enum class Fans { at_defects, all };
 /// Regions, which edges of two faces that run opposite ways connect, stay as they are. Where two
 /// regions meet along an edge in the same direction one of them is reversed; where that contradicts
 /// itself the surface has no orientation and is cut. Where more than two faces meet, two are glued
-/// if that joins two surfaces, best those that need no reversal and are not on the same vertices,
-/// or if it zips what lies side by side; never if it made a handle. Of the regions of a component
-/// the fewer faces are reversed. What remains apart at a vertex becomes several surface vertices.
+/// if that joins two surfaces without reversing one, best if they are not on the same vertices, or
+/// if it zips what lies side by side; never if it made a handle. Of the regions of a component the
+/// fewer faces are reversed. What remains apart at a vertex becomes several surface vertices.
 ///
 /// Vertices that are no fan are found where a boundary or a defective edge shows them; those at
 /// which closed fans touch by looking at all, which takes about as long as all the rest.

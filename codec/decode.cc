@@ -194,7 +194,11 @@ Expected<Done> decode_faces_into(std::span<const std::byte> bytes, std::span<std
   if (!opposites.empty())
     if (auto ok = budget.check(edges_memory(mesh.corners, mesh.vertices)); !ok) return ok;
   bool matched = false;
-  if (mesh.may_have_sizes() || mesh.has_order) {
+  const bool all_on_surface =
+      std::all_of(mesh.pieces.begin(), mesh.pieces.end(), [](const PieceSections& piece) {
+        return !piece.may_have_sizes() && piece.faces == piece.surface_faces;
+      });
+  if (!all_on_surface || mesh.has_order) {
     DecodeOptions quiet;
     quiet.threads = options.threads;
     auto decoded = decode_meshes(*meshes, Values::skip, quiet, budget);

@@ -48,8 +48,9 @@ std::uint64_t finishing_memory(const MeshSections& sections, Values values);
 Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values,
                                     unsigned threads = 1, std::uint64_t memory = 0);
 
-/// The same of a piece whose faces are all triangles of its surface (may_have_sizes() is false),
-/// without values, into memory for just its corners. `twins` as for decode_connectivity.
+/// The same of a piece whose faces are all triangles of its surface (may_have_sizes() is false, and
+/// there are as many faces as surface_faces), without values, into memory for just its corners.
+/// `twins` as for decode_connectivity.
 Expected<Done> decode_triangles(const PieceSections& sections, std::span<std::uint32_t> corners,
                                 std::span<HalfEdge> twins = {});
 

@@ -1,12 +1,11 @@
 #include "codec/metadata.h"
 
-#include <zstd.h>
-
 #include <algorithm>
 #include <string>
 #include <string_view>
 
 #include "codec/utf8.h"
+#include "codec/zstd_frame.h"
 
 namespace clers {
 namespace {
@@ -14,8 +13,6 @@ namespace {
 constexpr std::size_t longest_key = 255;
 /// The length of a key, a byte of it, and the length of a value.
 constexpr std::uint64_t least_entry = 3;
-/// A block of zstd makes 128 KiB of 4 bytes at best.
-constexpr std::uint64_t max_expansion = 32768;
 /// Comments are short and few; more effort than this buys little.
 constexpr int zstd_level = 9;
 
@@ -44,8 +41,8 @@ Expected<Bytes> encode_metadata(std::span<const MetadataEntry> entries) {
     put_bytes(plain, std::as_bytes(std::span(e.value)));
   }
   Bytes packed(ZSTD_compressBound(plain.size()));
-  const std::size_t size =
-      ZSTD_compress(packed.data(), packed.size(), plain.data(), plain.size(), zstd_level);
+  const std::size_t size = zstd_result(
+      ZSTD_compress(packed.data(), packed.size(), plain.data(), plain.size(), zstd_level));
   if (ZSTD_isError(size))
     return fail(ErrorCode::internal, std::string("zstd failed: ") + ZSTD_getErrorName(size));
   Bytes payload;
@@ -65,12 +62,12 @@ Expected<MetadataHeader> read_metadata_header(std::span<const std::byte> payload
   header.packed = payload.subspan(in.position());
   header.at = in.offset();
   header.payload_size = payload.size();
-  if (header.size > max_expansion * header.packed.size() ||
-      header.entries > header.size / least_entry || header.entries == 0)
+  if (header.entries > header.size / least_entry || header.entries == 0)
     return fail(ErrorCode::invalid, Place::byte, at,
                 std::to_string(header.entries) + " entries of metadata in " +
-                    std::to_string(header.size) + " bytes cannot come from " +
-                    std::to_string(header.packed.size()));
+                    std::to_string(header.size) + " bytes");
+  if (auto ok = check_frame(header.packed, header.at, header.size, "the metadata"); !ok)
+    return Failure{ok.error()};
   return header;
 }
 
@@ -79,8 +76,8 @@ Expected<std::vector<MetadataEntry>> decode_metadata(const MetadataHeader& heade
     return fail(ErrorCode::invalid, Place::byte, header.at, std::move(what));
   };
   Bytes plain(static_cast<std::size_t>(header.size));
-  const std::size_t got =
-      ZSTD_decompress(plain.data(), plain.size(), header.packed.data(), header.packed.size());
+  const std::size_t got = zstd_result(
+      ZSTD_decompress(plain.data(), plain.size(), header.packed.data(), header.packed.size()));
   if (ZSTD_isError(got)) return invalid(std::string("zstd: ") + ZSTD_getErrorName(got));
   if (got != plain.size())
     return invalid("metadata of " + std::to_string(got) + " bytes, expected " +

@@ -35,14 +35,13 @@ class Cycle {
   bool forward_;
 };
 
-/// Whether a side joins the least vertex of its face and the lesser of that one's neighbours.
-bool is_key(const Faces& faces, std::uint32_t side) {
-  const std::uint32_t f = faces.face(side);
+/// The side of a face that joins its least vertex and the lesser of that one's neighbours.
+std::uint32_t key_side(const Faces& faces, std::uint32_t f) {
   std::uint32_t least = faces.begin(f);
   for (std::uint32_t h = least + 1; h < faces.end(f); ++h)
     if (faces.org[h] < faces.org[least]) least = h;
   const std::uint32_t before = faces.prev(least), after = faces.next(least);
-  return side == (faces.org[before] < faces.org[after] ? before : least);
+  return faces.org[before] < faces.org[after] ? before : least;
 }
 
 /// Keeps those without which most edges of theirs have two faces at most. Elsewhere a surface is
@@ -71,6 +70,13 @@ std::vector<Repeat> find_repeats(const Faces& faces, const Adjacency& adjacency)
     std::uint32_t side, beyond;
   };
   std::vector<Key> keys;
+  std::vector<std::uint32_t> key_sides;  // of polygons, as far as they were asked for
+  if (!faces.triangles() && !adjacency.ends.empty())
+    key_sides.assign(faces.count(), HalfEdge::null_index);
+  const auto key_of = [&](std::uint32_t f) {
+    if (key_sides[f] == HalfEdge::null_index) key_sides[f] = key_side(faces, f);
+    return key_sides[f];
+  };
   const auto differ = [&](const Key& a, const Key& b) {
     if (a.beyond != b.beyond) return a.beyond < b.beyond ? -1 : 1;
     return faces.triangles() ? 0 : Cycle(faces, a.side).compare(Cycle(faces, b.side));
@@ -81,7 +87,7 @@ std::vector<Repeat> find_repeats(const Faces& faces, const Adjacency& adjacency)
       const std::uint32_t h = adjacency.sides[i], next = faces.next(h);
       const std::uint32_t a = faces.org[h], b = faces.org[next];
       const std::uint32_t x = faces.org[a < b ? faces.next(next) : faces.prev(h)];
-      if (faces.triangles() ? x > a && x > b : is_key(faces, h)) keys.push_back({h, x});
+      if (faces.triangles() ? x > a && x > b : key_of(faces.face(h)) == h) keys.push_back({h, x});
     }
     if (keys.size() < 2) continue;
     std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {

@@ -218,7 +218,12 @@ Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
   Adjacency adjacency = match_edges(all, vertex_count);
   const std::vector<Repeat> repeats = find_repeats(all, adjacency);
   const auto shall_give_up = [&](const Adjacency& edges) {
-    return edges.sides.size() > edges.twins.size() / 2 && give_up();
+    std::size_t crowded = 0;
+    for (std::uint32_t begin = 0; const std::uint32_t end : edges.ends) {
+      crowded += end - begin > 2 ? end - begin : 0;
+      begin = end;
+    }
+    return crowded > edges.twins.size() / 2 && give_up();
   };
   EncodedSurface nothing;
   nothing.given_up = true;

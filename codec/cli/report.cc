@@ -44,6 +44,7 @@ MeshInfo total(const FileInfo& info) {
     sum.pieces += mesh.pieces;
     sum.cuts.turned_faces += mesh.cuts.turned_faces;
     sum.cuts.copied_vertices += mesh.cuts.copied_vertices;
+    sum.cuts.repeated_faces += mesh.cuts.repeated_faces;
     sum.cuts.loose_faces += mesh.cuts.loose_faces;
     sum.connectivity_bytes += mesh.connectivity_bytes;
     sum.polygon_bytes += mesh.polygon_bytes;
@@ -88,6 +89,7 @@ void put(Json& json, const MeshInfo& m) {
   json["pieces"] = m.pieces;
   json["turned_faces"] = m.cuts.turned_faces;
   json["copied_vertices"] = m.cuts.copied_vertices;
+  json["repeated_faces"] = m.cuts.repeated_faces;
   json["loose_faces"] = m.cuts.loose_faces;
   json["connectivity_bytes"] = m.connectivity_bytes;
   json["polygon_bytes"] = m.polygon_bytes;
@@ -211,6 +213,7 @@ std::string info_text(const std::string& file, const FileInfo& info) {
   if (sum.pieces != info.meshes.size()) line(out, "pieces", sum.pieces);
   if (sum.cuts.turned_faces != 0) line(out, "turned faces", sum.cuts.turned_faces);
   if (sum.cuts.copied_vertices != 0) line(out, "copied vertices", sum.cuts.copied_vertices);
+  if (sum.cuts.repeated_faces != 0) line(out, "repeated faces", sum.cuts.repeated_faces);
   if (sum.cuts.loose_faces != 0) line(out, "loose faces", sum.cuts.loose_faces);
   std::string counts;
   for (std::size_t i = 0; i < sum.clers.size(); ++i)

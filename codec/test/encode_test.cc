@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <random>
 
 #include "codec/decode.h"
 #include "codec/inspect.h"
@@ -301,6 +302,41 @@ TEST(Inspect, EqualsWhatTheEncoderReports) {
     }
     EXPECT_EQ(sum, info->total_bytes);
   }
+}
+
+/// Every face twice, and a triangle folded onto an edge: all triangles, but not all on the surface.
+TEST(DecodeInto, FacesThatAreNotOnTheSurface) {
+  Mesh doubled = corpus::grid(20, 20);
+  const std::vector<std::uint32_t> once = doubled.corners;
+  doubled.corners.insert(doubled.corners.end(), once.begin(), once.end());
+  Mesh folded = corpus::grid(20, 20);
+  folded.corners.insert(folded.corners.end(), {once[0], once[0], once[1]});
+  for (const Mesh& mesh : {doubled, folded})
+    for (const int level : {1, 5, 9}) {
+      EncodeOptions options;
+      options.level = level;
+      const auto coded = encode({&mesh, 1}, options);
+      ASSERT_TRUE(coded.ok());
+      const auto out = decode(coded->bytes);
+      ASSERT_TRUE(out.ok());
+      std::vector<std::uint32_t> corners(mesh.corners.size());
+      const auto into = decode_into(coded->bytes, corners);
+      ASSERT_TRUE(into.ok()) << describe(into.error());
+      EXPECT_EQ(corners, out->front().corners);
+    }
+}
+
+/// A surface stays one however its faces are oriented, and costs little more.
+TEST(Encode, RandomOrientationsKeepTheSurface) {
+  Mesh mesh = corpus::grid(150, 150);
+  std::mt19937 random(1);
+  for (std::size_t h = 0; h < mesh.corners.size(); h += 3)
+    if (random() % 2) std::swap(mesh.corners[h], mesh.corners[h + 1]);
+  const auto coded = encode({&mesh, 1}, {});
+  ASSERT_TRUE(coded.ok());
+  EXPECT_EQ(coded->report[0].cuts.copied_vertices, 0u);
+  EXPECT_LT(coded->bytes.size(), mesh.face_count() / 8 + 2000);  // a bit a face for the reversals
+  round_trip({&mesh, 1});
 }
 
 }  // namespace

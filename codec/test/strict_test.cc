@@ -90,7 +90,7 @@ TEST(Strict, ValuesAreOneFrame) {
       file(Payload().raw(frame).raw(none)),
       (after + std::to_string(none.size()) + " bytes after the zstd frame of the values").c_str());
   expect_invalid(file(Payload().raw(secret.bytes).raw(frame)),
-                 "byte 29: no zstd frame, which values must be");
+                 "byte 29: no zstd frame, which the values must be");
   expect_invalid(file(Payload().raw(std::span(frame).first(frame.size() - 1))),
                  "byte 29: zstd: Src size is incorrect");
   const Bytes fewer = test::zstd_frame(std::span(values).first(3));
@@ -107,7 +107,7 @@ TEST(Strict, NoValuesAreAFrameToo) {
         .finish();
   };
   EXPECT_TRUE(decode(file(test::zstd_frame({}))).ok());
-  expect_invalid(file({}), "byte 27: no zstd frame, which values must be");
+  expect_invalid(file({}), "byte 27: no zstd frame, which the values must be");
 }
 
 TEST(Strict, NamesOfAttributes) {
