@@ -138,6 +138,8 @@ class CommandLine {
 
   Exit run(int argc, char** argv) {
     dashes_ = std::find(argv, argv + argc, std::string_view("--")) != argv + argc;
+    const std::span<char* const> words(argv, static_cast<std::size_t>(argc));
+    if (const auto wrong = level_of_two_digits(words); wrong && !dashes_) return usage(*wrong);
     try {
       app_.parse(argc, argv);
     } catch (const CLI::CallForVersion& asked) {
@@ -193,9 +195,10 @@ class CommandLine {
             [this](const CLI::results_t& values) {
               return parse_pieces(values.back(), options_.encode.piece_faces);
             },
-            fmt::format("code meshes of more faces in pieces of about so many, which decode alone; "
-                        "default: {}, if there are more than {}",
-                        default_piece_faces, most_faces_whole))
+            fmt::format(
+                "split meshes of more than N faces into pieces of about N that decode alone; "
+                "default: {}, if there are more than {}",
+                default_piece_faces, most_faces_whole))
         ->option_text("N|never");
     threads(encode);
     oddity(
@@ -233,7 +236,7 @@ class CommandLine {
                 refuse("--piece", "the number of a piece, from 0", values.back());
               return true;
             },
-            "only this piece of all meshes', from 0; clers info says how many there are")
+            "only piece K, counted from 0 through all meshes; clers info says how many there are")
         ->option_text("K");
     threads(decode);
     limits(decode);
@@ -258,7 +261,7 @@ class CommandLine {
     CLI::App& verify =
         add("verify", cli::verify, "Decode a file and compare it with its original",
             "Faces and vertices may be in another order; all else must be equal bit for bit.\n"
-            "What a mesh file has that is not carried is named, and is no difference but\n"
+            "What a mesh file has that is not carried is named, and is a difference only\n"
             "with --strict. Exit status 1: they differ; 6: this could not be decided.\n\n"
             "Examples:\n"
             "  clers verify bunny.ply bunny.clers");
@@ -395,11 +398,13 @@ class CommandLine {
                refuse("--max-memory", "a size such as 64M or 2G", values.back());
              return true;
            },
-           "that decoding may take")
+           "most memory that decoding may use; default: 1G or 4096 times the file, whichever is "
+           "more")
         ->option_text("SIZE");
     constexpr std::uint64_t most = ~std::uint64_t{0};
-    number(sub, "--max-vertices", limits.vertices, std::uint64_t{0}, most, "that a mesh may have");
-    number(sub, "--max-faces", limits.faces, std::uint64_t{0}, most, "that a mesh may have");
+    number(sub, "--max-vertices", limits.vertices, std::uint64_t{0}, most,
+           "most that a mesh may have");
+    number(sub, "--max-faces", limits.faces, std::uint64_t{0}, most, "most that a mesh may have");
     number(sub, "--max-meshes", limits.meshes, std::uint64_t{0}, most, "that a file may have");
   }
 
@@ -474,6 +479,19 @@ class CommandLine {
         other != other_names.end() ? std::optional(other->second) : closest(word, command_names());
     return meant ? fmt::format("{}; did you mean {}?", what, *meant)
                  : fmt::format("{}; expected {}", what, list(command_names(), "or"));
+  }
+
+  /// CLI11 takes -19 as -1 -9, and gives no warning.
+  static std::optional<std::string> level_of_two_digits(std::span<char* const> words) {
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      const std::string_view word = words[i];
+      const bool digits =
+          word.size() > 2 && word[0] == '-' && word.find_first_not_of("0123456789", 1) == word.npos;
+      const bool is_value = std::string_view(words[i - 1]).starts_with("--");
+      if (digits && !is_value)
+        return "unknown option " + in_quotes(std::string(word)) + "; levels are -1 to -9";
+    }
+    return std::nullopt;
   }
 
   static std::string unknown_option(const CLI::App& app, std::string word) {

@@ -159,11 +159,12 @@ Exit verify(const Options& options) {
     const bool ordered =
         std::equal(found->begin(), found->end(), expected->meshes.begin(), in_one_order);
     const std::string verdict = fmt::format(
-        "{}: same as {}{}{}: {}, {} faces, every value bit for bit{}", job.name(),
+        "{}: same as {}{}{}: {}, {} face{}, every value bit for bit{}", job.name(),
         input_name(original), metadata.empty() ? "" : fmt::format(", but for {}", metadata),
         lost.what.empty() ? ""
                           : fmt::format(", but for {} that {} not carried", lost.what, lost.are),
-        meshes_of(found->size()), grouped(faces), ordered ? ", in the same order" : "");
+        meshes_of(found->size()), grouped(faces), faces == 1 ? "" : "s",
+        ordered ? ", in the same order" : "");
     const auto printed = print(printable(verdict) + "\n");
     if (!printed) return Failure{printed.error()};
     return Exit::done;

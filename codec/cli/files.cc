@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t most_at_once = std::size_t{1} << 30;  // read and write may refuse 2 GiB
 
 Failure<Stop> failed(Exit exit, const std::string& name, int error) {
+  if (error == EPIPE) return stop(exit, "");  // who reads has seen enough: no reason to complain
   return stop(exit, name + ": " + std::strerror(error));
 }
 

@@ -20,7 +20,7 @@ void tell(const std::string& line) {
 }  // namespace
 
 void complain(const std::string& line) {
-  tell("clers: " + line);
+  if (!line.empty()) tell("clers: " + line);
 }
 
 Outcome<io::Format> format_for(const std::string& path, std::optional<io::Format> given,

@@ -109,6 +109,9 @@ std::optional<Format> format_of(std::string_view name) {
 
 Expected<ReadResult> read(std::span<const std::byte> bytes, Format format) {
   return guarded("read", [&]() -> Expected<ReadResult> {
+    // An OBJ of no statements may be a mesh, one of no bytes is what a failed download leaves.
+    if (format == Format::obj && bytes.empty())
+      return fail(ErrorCode::malformed, Place::byte, 0, "the file is empty");
     Expected<ReadResult> result = read_as(bytes, format);
     // Only now: the header of a binary STL may begin like anything.
     if (!result)

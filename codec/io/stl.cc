@@ -114,8 +114,12 @@ Mesh welded_mesh(Attribute positions, Notes& notes) {
         changed += std::memcmp(positions.data.data() + c * stride + i,
                                a.data.data() + welded.number[c] * stride + i, size) != 0;
     if (changed > 0)
-      note_remark(notes, changed, counted(changed, "zero", "zeros"),
-                  "took the sign that it has at another corner of the vertex");
+      notes.push_back({Note::Kind::loss, changed,
+                       "the " + std::string(changed == 1 ? "sign" : "signs") + " of " +
+                           counted(changed, "zero", "zeros"),
+                       "the " + std::string(changed == 1 ? "sign" : "signs") + " of " +
+                           counted(changed, "zero", "zeros") +
+                           " changed: another corner of the vertex has the other one"});
   }
   mesh.corners = welded.number;
   mesh.attributes.push_back(std::move(a));

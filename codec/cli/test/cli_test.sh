@@ -205,10 +205,10 @@ for command in "encode grid.obj -o /dev/full -f" "encode grid.obj -o -" "info gr
   ends "a full device: $command" 5 "No space left"
 done
 "$clers" decode grid.clers --to obj -o - 2>err | true
-check "a reader that leaves" test "${PIPESTATUS[0]}" -eq 0 -o "$(grep -c 'Broken pipe' err)" -eq 1
+check "a reader that leaves" test ! -s err
 run encode big.obj -o big.clers
 "$clers" decode big.clers --to obj -o - 2>err | head -c 1 >/dev/null; status=${PIPESTATUS[0]}
-ends "a pipe closed early" 5 "standard output: Broken pipe"
+check "a pipe closed early" test "$status" -eq 5 -a ! -s err  # who reads has seen enough
 (ulimit -f 1; "$clers" encode -f big.obj -o old.clers >out 2>err); status=$?
 ends "a file too large" 5 "old.clers: File too large"
 check "leaves the old one" cmp -s old.clers grid.clers

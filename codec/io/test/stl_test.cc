@@ -49,7 +49,7 @@ TEST(Stl, WeldsByValueAndKeepsTheSignOfTheFirst) {
   const ReadResult result = must_read(file + std::string(2, '\0'), Format::stl);
   EXPECT_EQ(result.meshes[0].corners, (std::vector<std::uint32_t>{0, 0, 1}));
   EXPECT_TRUE(std::signbit(values_of<float>(*result.meshes[0].position())[0]));
-  EXPECT_TRUE(notes_say(result.notes, "2 zeros took the sign"));
+  EXPECT_TRUE(notes_say(result.notes, "the signs of 2 zeros changed"));
 }
 
 constexpr char text_square[] =
