@@ -1,9 +1,7 @@
 #include "codec/compare.h"
 
 #include <algorithm>
-#include <new>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +11,7 @@
 #include "codec/comparison/pairing.h"
 #include "codec/comparison/refinement.h"
 #include "codec/comparison/renumbering.h"
+#include "codec/guarded.h"
 
 // Two meshes are the same when a bijection of vertices carries the faces of one, as a multiset of
 // cycles, onto those of the other, and every value with them. Finding it is graph isomorphism;
@@ -106,17 +105,15 @@ Comparison compare_checked(const Mesh& a, const Mesh& b) {
 
 }  // namespace
 
-Expected<Comparison> compare(const Mesh& a, const Mesh& b) try {
-  for (const Mesh* mesh : {&a, &b})
-    if (auto error = objection(*mesh)) {
-      error->what = (mesh == &a ? "the first mesh " : "the second mesh ") + error->what;
-      return Failure{std::move(*error)};
-    }
-  return compare_checked(a, b);
-} catch (const std::bad_alloc&) {
-  return fail(ErrorCode::out_of_memory, "not enough memory to compare");
-} catch (const std::length_error&) {  // more than a container can hold
-  return fail(ErrorCode::out_of_memory, "not enough memory to compare");
+Expected<Comparison> compare(const Mesh& a, const Mesh& b) {
+  return guarded("compare", [&]() -> Expected<Comparison> {
+    for (const Mesh* mesh : {&a, &b})
+      if (auto error = objection(*mesh)) {
+        error->what = (mesh == &a ? "the first mesh " : "the second mesh ") + error->what;
+        return Failure{std::move(*error)};
+      }
+    return compare_checked(a, b);
+  });
 }
 
 std::string metadata_difference(const Mesh& a, const Mesh& b) {

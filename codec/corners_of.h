@@ -15,7 +15,6 @@ class CornersOf {
  public:
   static constexpr std::uint32_t none = 0xffffffffu;
 
-  CornersOf() = default;
   /// Every corner is below `vertices`. The corners must outlive this.
   CornersOf(std::span<const std::uint32_t> corners, std::size_t vertices)
       : corners_(corners), first_(vertices, none), next_(corners.size()) {

@@ -178,21 +178,15 @@ class Cutter {
     twins_[h] = HalfEdge(g);
   }
 
-  /// The vertex of a face beyond the larger end of one of its sides: of a triangle, the third.
-  std::uint32_t beyond(std::uint32_t h) const {
-    const std::uint32_t next = faces_.next(h);
-    return faces_.org[faces_.org[h] < faces_.org[next] ? faces_.next(next) : faces_.prev(h)];
-  }
-
   /// Where all faces at an edge are on the same two triples of vertices, as where a surface was
   /// doubled, they are glued in the order of the faces: one sheet after the other.
   void glue_doubles(std::uint32_t e) {
     if (!is_crowded(e)) return;
     const std::span<const std::uint32_t> sides(&sides_[begin(e)], ends_[e] - begin(e));
-    const std::uint32_t one = beyond(sides[0]);
+    const std::uint32_t one = faces_.beyond(sides[0]);
     std::uint32_t other = none;
     for (const std::uint32_t h : sides.subspan(1)) {
-      const std::uint32_t x = beyond(h);
+      const std::uint32_t x = faces_.beyond(h);
       if (x == one || x == other) continue;
       if (other != none) return;
       other = x;
@@ -201,10 +195,10 @@ class Cutter {
     waiting_[0].clear();
     waiting_[1].clear();
     for (const std::uint32_t h : sides)
-      if (beyond(h) == one) waiting_[same_direction(h, sides[0])].push_back(h);
+      if (faces_.beyond(h) == one) waiting_[same_direction(h, sides[0])].push_back(h);
     std::size_t next[2] = {0, 0};
     for (const std::uint32_t g : sides) {
-      if (beyond(g) == one) continue;
+      if (faces_.beyond(g) == one) continue;
       const bool direction = !same_direction(g, sides[0]);
       if (next[direction] < waiting_[direction].size())
         glue(g, waiting_[direction][next[direction]++]);

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
-#include <new>
 #include <stdexcept>
 #include <utility>
 
 #include "codec/container.h"
+#include "codec/guarded.h"
 #include "codec/mesh_encoder.h"
 #include "codec/metadata.h"
 #include "codec/parallel.h"
@@ -72,9 +72,7 @@ EncodedMesh finish(Work work, const Mesh& mesh, const EncodeOptions& options) {
   return whole;
 }
 
-}  // namespace
-
-Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& options) try {
+Expected<Encoded> encode_meshes(std::span<const Mesh> meshes, const EncodeOptions& options) {
   if (options.level < min_level || options.level > max_level)
     return fail(ErrorCode::bad_option,
                 "level " + std::to_string(options.level) + ", expected 1 to 9");
@@ -138,10 +136,12 @@ Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& opti
   result.bytes = out.finish(meshes.size());
   if (options.progress) options.progress("done", 1.0);
   return result;
-} catch (const std::bad_alloc&) {
-  return fail(ErrorCode::out_of_memory, "not enough memory to encode");
-} catch (const std::length_error&) {  // more elements than can be addressed
-  return fail(ErrorCode::out_of_memory, "not enough memory to encode");
+}
+
+}  // namespace
+
+Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& options) {
+  return guarded("encode", [&] { return encode_meshes(meshes, options); });
 }
 
 }  // namespace clers

@@ -54,6 +54,11 @@ class Faces {
     const std::uint32_t f = face(h);
     return h == begin(f) ? end(f) - 1 : h - 1;
   }
+  /// The vertex of the face of h that lies beyond the larger end of h: of a triangle, the third.
+  std::uint32_t beyond(std::uint32_t h) const {
+    const std::uint32_t after = next(h);
+    return org[org[h] < org[after] ? next(after) : prev(h)];
+  }
 
  private:
   std::vector<std::uint32_t> begin_;  ///< first corner of each face, and one past the last

@@ -375,8 +375,7 @@ class MeshEncoder {
       order().first_corners.push_back(first);
       ++count;
     };
-    const auto left =
-        find_folds(std::span<const TwoVertexFace>(candidates), surface_vertices_, triangles, visit);
+    const auto left = find_folds(candidates, surface_vertices_, triangles, visit);
     others.insert(others.end(), left.begin(), left.end());
     std::sort(others.begin(), others.end());
     folded_ = count;

@@ -84,9 +84,8 @@ std::vector<Repeat> find_repeats(const Faces& faces, const Adjacency& adjacency)
   for (std::uint32_t e = 0, begin = 0; e < adjacency.ends.size(); begin = adjacency.ends[e++]) {
     keys.clear();
     for (std::uint32_t i = begin; i < adjacency.ends[e]; ++i) {
-      const std::uint32_t h = adjacency.sides[i], next = faces.next(h);
-      const std::uint32_t a = faces.org[h], b = faces.org[next];
-      const std::uint32_t x = faces.org[a < b ? faces.next(next) : faces.prev(h)];
+      const std::uint32_t h = adjacency.sides[i], x = faces.beyond(h);
+      const std::uint32_t a = faces.org[h], b = faces.org[faces.next(h)];
       if (faces.triangles() ? x > a && x > b : key_of(faces.face(h)) == h) keys.push_back({h, x});
     }
     if (keys.size() < 2) continue;

@@ -28,7 +28,7 @@ struct DistinctFaces {
   DistinctFaces(const Faces& all, std::span<const Repeat> repeats);
 
   /// How their half-edges lie on edges, from how all do: what match_edges() would find. Cost:
-  /// linear.
+  /// linear, but for a sort of the defective edges.
   Adjacency adjacency(const Faces& all, Adjacency of_all) const;
 
   std::vector<std::uint32_t> faces;           ///< of all

@@ -70,7 +70,7 @@ void put_sizes(const Faces& faces, std::span<const std::uint32_t> gates, Encoded
 }
 
 /// Makes one vertex again of those that are copies of each other. `vertices` are those of the
-/// surface in the coded order, `number` is their inverse.
+/// surface in the coded order.
 void put_stitches(const SurfaceFaces& surface, std::span<const std::uint32_t> vertices,
                   EncodedSurface& out) {
   const CutSurface& cut = *surface.cut;
