@@ -171,6 +171,8 @@ Expected<Done> write_obj(std::span<const Mesh> meshes, Output& out, Notes& notes
   if (meshes.size() > 1)
     note_remark(notes, meshes.size(), std::to_string(meshes.size()) + " meshes",
                 "became objects of one file, which reads back as one mesh");
+  // A file of no bytes is taken for a failed download.
+  if (out.empty()) out << '\n';
   return Done{};
 }
 

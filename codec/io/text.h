@@ -217,6 +217,7 @@ class Output {
     size_ += sizeof value;
   }
 
+  bool empty() const { return size_ == 0; }
   std::vector<std::byte> take() {
     bytes_.resize(size_);
     size_ = 0;

@@ -247,6 +247,10 @@ TEST(Write, AnEmptyMeshReadsBack) {
     EXPECT_EQ(read.vertex_count, 0u);
     EXPECT_EQ(read.face_count(), 0u);
   }
+  // No mesh at all is an OBJ, too, and like the others no file of no bytes.
+  const Expected<WriteResult> none = write({}, Format::obj);
+  ASSERT_TRUE(none.ok());
+  EXPECT_EQ(must_read(none->bytes, Format::obj).meshes[0].vertex_count, 0u);
 }
 
 TEST(Write, NotesNaNsThatTextCannotTell) {
