@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "codec/connectivity.h"
-#include "codec/decode.h"
 #include "codec/error.h"
 #include "codec/mesh.h"
 #include "codec/mesh_reader.h"
+#include "codec/piece.h"
 
 namespace clers {
 

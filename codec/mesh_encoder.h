@@ -9,10 +9,10 @@
 
 #include "codec/bytes.h"
 #include "codec/container.h"
-#include "codec/encode.h"
 #include "codec/error.h"
-#include "codec/inspect.h"
+#include "codec/info.h"
 #include "codec/mesh.h"
+#include "codec/options.h"
 
 namespace clers {
 

@@ -9,9 +9,9 @@
 
 #include "codec/bytes.h"
 #include "codec/connectivity.h"
-#include "codec/encode.h"
 #include "codec/error.h"
 #include "codec/faces.h"
+#include "codec/order.h"
 #include "codec/turned_faces.h"
 
 namespace clers {
