@@ -174,7 +174,7 @@ TEST(Golden, FilesStayTheSameByteForByte) {
     ASSERT_TRUE(decoded.ok()) << c.name << ": " << describe(decoded.error());
     ASSERT_EQ(decoded->size(), c.meshes.size());
     for (std::size_t i = 0; i < decoded->size(); ++i)
-      expect_permuted(c.meshes[i], (*decoded)[i], encoded->permutations[i]);
+      internal::expect_permuted(c.meshes[i], (*decoded)[i], encoded->permutations[i]);
     ASSERT_FALSE(HasFatalFailure()) << c.name;
   }
   EXPECT_EQ(table.hashes.size(), cases) << "lines without a case, or two cases of one name";
