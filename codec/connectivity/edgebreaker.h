@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "codec/base/portable.h"
 #include "codec/symbols/symbol.h"
 #include "topology/unbuild.h"
 
@@ -252,8 +253,8 @@ class Edgebreaker {
   ///            left part  v  right part
   ///           . . . . .  / \  . . . . .
   ///          left_gate  /   \  right
-  [[gnu::noinline]] void part(HalfEdge gate, HalfEdge left_gate, HalfEdge right,
-                              std::uint32_t index) {
+  CLERS_NEVER_INLINE void part(HalfEdge gate, HalfEdge left_gate, HalfEdge right,
+                               std::uint32_t index) {
     const std::uint32_t v = org(right);
     // The part where the boundary shows first, looking from both sides in turn, is the smaller one.
     HalfEdge r = right, l = left_gate, next;

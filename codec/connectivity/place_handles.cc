@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "codec/base/portable.h"
 #include "codec/connectivity/spirale_reversi.h"
 #include "codec/symbols/symbol.h"
 #include "topology/front.h"
@@ -26,7 +27,7 @@ class PlacingSource {
 
   void first() { --index_; }
   template <class Front, class Gate, class Then>
-  [[gnu::always_inline]] auto symbol(const Front&, const Gate&, std::size_t, Then then) {
+  CLERS_ALWAYS_INLINE auto symbol(const Front&, const Gate&, std::size_t, Then then) {
     return with_symbol(traversal_.symbol(--index_), then);
   }
 

@@ -14,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "codec/base/portable.h"
 #include "codec/connectivity/curve_index.h"
 #include "codec/connectivity/waiting_curves.h"
 #include "codec/symbols/symbol.h"
@@ -97,8 +98,8 @@ class SpiraleReversi {
     write(out -= 3, c);
 
     for (std::uint32_t i = 1; i < faces; ++i) {
-      const StreamFault broken = source_.symbol(
-          front, gate, aside_.size(), [&](auto symbol) __attribute__((always_inline)) {
+      const StreamFault broken =
+          source_.symbol(front, gate, aside_.size(), [&](auto symbol) CLERS_INLINE_LAMBDA {
             if constexpr (symbol() == Clers::C) {
               const std::uint32_t x = gate.x;
               if (front.prev(x) == gate.y) return StreamFault::c_on_two_edges;
@@ -162,7 +163,7 @@ class SpiraleReversi {
 
   /// S that does not join to the gate put aside last: to an edge of the same curve (1b), or to one
   /// of a curve split off before (1c). Rare and long, so it works on copies.
-  [[gnu::noinline]] Step special(Gate gate, Face f) {
+  CLERS_NEVER_INLINE Step special(Gate gate, Face f) {
     std::uint32_t q = 0;
     HandleCase as = HandleCase::split_curve;
     const StreamFault broken = special_vertex(gate, q, as);
@@ -249,7 +250,7 @@ class SpiraleReversi {
 
   /// What is left of the boundary is final: the holes, and the curve of the gate. Returns how many
   /// vertices are finished now.
-  [[gnu::noinline]] std::uint32_t end_component(Gate gate, std::uint32_t finished) {
+  CLERS_NEVER_INLINE std::uint32_t end_component(Gate gate, std::uint32_t finished) {
     if (front_.prev(gate.x) == gate.y && source_.closed()) front_.close(gate);
     for (const std::uint32_t hole : holes_) finished = finish_curve(hole, hole, finished);
     holes_.clear();

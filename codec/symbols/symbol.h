@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "codec/base/portable.h"
+
 namespace clers::internal {
 
 /// How the triangle behind the gate lies to what is already visited. The symbol names the side that
@@ -25,7 +27,7 @@ using Symbol = std::integral_constant<Clers, symbol>;
 
 /// then(Symbol<symbol>()).
 template <class Then>
-[[gnu::always_inline]] inline auto with_symbol(Clers symbol, Then&& then) {
+CLERS_ALWAYS_INLINE auto with_symbol(Clers symbol, Then&& then) {
   switch (symbol) {
     case Clers::C: return then(Symbol<Clers::C>());
     case Clers::R: return then(Symbol<Clers::R>());
