@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "codec/compare.h"
 #include "codec/comparison/compared_mesh.h"
 #include "codec/comparison/components.h"
+#include "codec/verdict.h"
 
 namespace clers::internal {
 
