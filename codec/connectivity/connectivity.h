@@ -12,7 +12,6 @@
 #include "codec/error.h"
 #include "codec/symbols/symbol_model.h"
 #include "topology/ids.h"
-#include "topology/mirror.h"
 
 namespace clers::internal {
 
@@ -46,10 +45,10 @@ struct EncodedConnectivity {
 Expected<EncodedConnectivity> encode_connectivity(SurfaceArrays surface, int level);
 
 /// The same bytes, with every operator run on a full surface too and the surface validated; `trace`
-/// receives the operators of the unbuilding as the surface found them. Slow. Errors: as above, and
+/// receives the operators of the unbuilding as the surface found them (OperatorTrace). Slow. Errors: as above, and
 /// internal if the two do not agree.
 Expected<EncodedConnectivity> encode_connectivity_on_surface(SurfaceArrays surface, int level,
-                                                             OperatorTrace& trace);
+                                                             std::vector<std::uint8_t>& trace);
 
 /// Sizes at the front of encoded connectivity.
 struct ConnectivityHeader {

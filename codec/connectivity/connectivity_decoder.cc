@@ -7,7 +7,9 @@
 #include "codec/connectivity/spirale_reversi.h"
 #include "codec/connectivity/stream_source.h"
 #include "codec/entropy/bytes.h"
+#ifdef CLERS_BOOKKEEPING
 #include "topology/mirror.h"
+#endif
 
 namespace clers::internal {
 namespace {
@@ -54,12 +56,6 @@ void reverse_faces(std::span<HalfEdge> twins) {
     if (h) h = half_edge(Face(last - left(h).index()), corner(h));
 }
 
-#ifdef CLERS_BOOKKEEPING
-constexpr bool bookkeeping = true;
-#else
-constexpr bool bookkeeping = false;
-#endif
-
 template <class Source>
 Expected<ConnectivityCounts> decode(Source& source, std::uint64_t end,
                                     const ConnectivityHeader& header,
@@ -78,14 +74,16 @@ Expected<ConnectivityCounts> decode(Source& source, std::uint64_t end,
     std::vector<HalfEdge> into(ids);
     Opposites pairing(twins, into);
     breakage = SpiraleReversi<Opposites, Source>(building, pairing, source).run();
-  } else if constexpr (bookkeeping) {
+  } else {
+#ifdef CLERS_BOOKKEEPING
     BuildingMirror pairing(ids);
     breakage = SpiraleReversi<BuildingMirror, Source>(building, pairing, source).run();
     if (!pairing.agrees)
       return fail(ErrorCode::internal, "the front and the full surface do not agree");
-  } else {
+#else
     NoPairing pairing;
     breakage = SpiraleReversi<NoPairing, Source>(building, pairing, source).run();
+#endif
   }
   if (breakage.broken != StreamFault::none) return broken_stream(breakage);
   if (building.finished != header.vertices)

@@ -11,6 +11,7 @@
 #include "codec/connectivity/connectivity.h"
 #include "codec/test/correspondence.h"
 #include "corpus/random.h"
+#include "topology/mirror.h"
 
 namespace clers::internal {
 namespace {
