@@ -11,6 +11,8 @@ void Surface::reserve_faces(std::uint32_t count) {
   reserve_more(component_, growth);
   reserve_more(scratch_, growth);
   rings_.reserve(org_.capacity());
+  face_data_.reserve(component_.capacity());
+  half_edge_data_.reserve(org_.capacity());
 }
 
 void Surface::reserve_vertices(std::uint32_t count) {
@@ -19,6 +21,7 @@ void Surface::reserve_vertices(std::uint32_t count) {
   reserve_more(star_, growth);
   reserve_more(corners_, growth);
   reserve_more(point_, growth);
+  vertex_data_.reserve(star_.capacity());
 }
 
 void Surface::reserve_curves(std::uint32_t count) {
@@ -31,7 +34,7 @@ void Surface::reserve_components(std::uint32_t count) {
   reserve_more(counts_, components_.growth(count));
 }
 
-Face Surface::new_face() {
+Face Surface::new_face(Face of) {
   const Face f = faces_.take();
   if (f.index() == component_.size()) {
     org_.resize(org_.size() + 3);
@@ -39,17 +42,23 @@ Face Surface::new_face() {
     rings_.resize(org_.size());
     component_.emplace_back();
     scratch_.emplace_back();
+    face_data_.resize(component_.size());
+    half_edge_data_.resize(org_.size());
   }
+  face_data_.make(f, of);
+  for (unsigned i = 0; i < 3; ++i) half_edge_data_.make(half_edge(f, i), HalfEdge());
   return f;
 }
 
-Vertex Surface::new_vertex(HalfEdge star, std::uint32_t corners, Point p) {
+Vertex Surface::new_vertex(HalfEdge star, std::uint32_t corners, Point p, Vertex of) {
   const Vertex v = vertices_.take();
   if (v.index() == star_.size()) {
     star_.emplace_back();
     corners_.emplace_back();
     point_.emplace_back();
+    vertex_data_.resize(star_.size());
   }
+  vertex_data_.make(v, of);
   star_[v.index()] = star;
   corners_[v.index()] = corners;
   point_[v.index()] = p;

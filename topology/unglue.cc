@@ -46,7 +46,7 @@ void Surface::split_fans(std::span<const HalfEdge> starts, HalfEdge cut) {
       star_[whole.index()] = starts[i];
       continue;
     }
-    const Vertex v = new_vertex(starts[i], walks[i].corners, point(whole));
+    const Vertex v = new_vertex(starts[i], walks[i].corners, point(whole), whole);
     corners_[whole.index()] -= walks[i].corners;
     HalfEdge h = starts[i];
     for (std::uint32_t n = 0; n < walks[i].corners; ++n, h = sym(lprev(h))) org_[h.index()] = v;
