@@ -6,11 +6,27 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
+
+#include "topology/ids.h"
 
 namespace clers::internal {
 
 class Attachments;
+
+/// What values are kept by.
+enum class DataKind : std::uint8_t { vertex, face, half_edge };
+
+constexpr DataKind kind_of(Vertex) {
+  return DataKind::vertex;
+}
+constexpr DataKind kind_of(Face) {
+  return DataKind::face;
+}
+constexpr DataKind kind_of(HalfEdge) {
+  return DataKind::half_edge;
+}
 
 /// Where a value goes when ids are given to other elements.
 struct MovedValue {
@@ -33,7 +49,7 @@ class AttachedData {
   bool attached() const { return list_ != nullptr; }
 
  protected:
-  AttachedData() = default;
+  explicit AttachedData(DataKind kind) : kind_(kind) {}
   AttachedData(const AttachedData&) = delete;
   AttachedData& operator=(const AttachedData&) = delete;
   ~AttachedData() { detach(); }
@@ -47,9 +63,10 @@ class AttachedData {
  private:
   friend class Attachments;
   Attachments* list_ = nullptr;
+  DataKind kind_;
 };
 
-/// The containers attached to one kind of id. A copy of a surface has none; a surface that is moved
+/// The containers attached to a surface. A copy of a surface has none; a surface that is moved
 /// takes its containers along; one that is assigned to leaves those it had, which keep their values
 /// and follow it no longer.
 class Attachments {
@@ -69,48 +86,61 @@ class Attachments {
   }
   ~Attachments() { release(); }
 
-  bool empty() const { return all_.empty(); }
-  void reserve(std::size_t ids) {
-    for (AttachedData* data : all_) data->reserve(ids);
+  /// Is there any? Asked first by operators, which otherwise need nothing of all this.
+  bool any() const { return any_; }
+
+  void reserve(DataKind kind, std::size_t ids) {
+    each(kind, [&](AttachedData& data) { data.reserve(ids); });
   }
-  void resize(std::size_t ids) noexcept {
-    for (AttachedData* data : all_) data->resize(ids);
+  void resize(DataKind kind, std::size_t ids) noexcept {
+    each(kind, [&](AttachedData& data) { data.resize(ids); });
   }
-  /// `to` is new: a copy of `from`, or at the initial value.
+  /// `to` is new, or is to be as if it were: a copy of `from`, or at the initial value.
   template <class IdType>
   void make(IdType to, IdType from) noexcept {
-    for (AttachedData* data : all_) {
+    each(kind_of(to), [&](AttachedData& data) {
       if (from)
-        data->copy(to.index(), from.index());
+        data.copy(to.index(), from.index());
       else
-        data->reset(to.index());
-    }
+        data.reset(to.index());
+    });
   }
-  void move(const MovedValue* moved, std::size_t count) noexcept {
-    for (AttachedData* data : all_) data->move(moved, count);
+  void move_sides(const MovedValue* moved, std::size_t count) noexcept {
+    each(DataKind::half_edge, [&](AttachedData& data) { data.move(moved, count); });
   }
 
  private:
   friend class AttachedData;
 
+  template <class Call>
+  void each(DataKind kind, Call call) {
+    for (AttachedData* data : all_)
+      if (data->kind_ == kind) call(*data);
+  }
   void release() noexcept {
     for (AttachedData* data : all_) data->list_ = nullptr;
     all_.clear();
+    any_ = false;
   }
   void take(Attachments& other) noexcept {
     all_.swap(other.all_);
+    std::swap(any_, other.any_);
     for (AttachedData* data : all_) data->list_ = this;
   }
 
   std::vector<AttachedData*> all_;
+  bool any_ = false;
 };
 
 inline void AttachedData::attach(Attachments& list) {
   list.all_.push_back(this);
+  list.any_ = true;
   list_ = &list;
 }
 inline void AttachedData::detach() noexcept {
-  if (list_) std::erase(list_->all_, this);
+  if (!list_) return;
+  std::erase(list_->all_, this);
+  list_->any_ = !list_->all_.empty();
   list_ = nullptr;
 }
 inline void AttachedData::replace(AttachedData& other) noexcept {

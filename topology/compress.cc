@@ -16,17 +16,23 @@ std::vector<IdType> dense(std::uint32_t limit, Range live) {
 }
 
 /// Values move down, in the order of ids: where one goes it overwrites what is dead or has gone.
-template <class IdType>
-void compress_data(internal::Attachments& data, const std::vector<IdType>& to, unsigned each) {
-  if (data.empty()) return;
-  std::uint32_t count = 0;
-  for (std::uint32_t id = 0; id < to.size(); ++id) {
-    if (!to[id]) continue;
-    ++count;
-    for (unsigned i = 0; i < each && to[id] != IdType(id); ++i)
-      data.make(IdType(each * to[id].index() + i), IdType(each * id + i));
+void compress_data(internal::Attachments& data, const Compressed& to) {
+  if (!data.any()) return;
+  std::uint32_t faces = 0, vertices = 0;
+  for (std::uint32_t i = 0; i < to.faces.size(); ++i) {
+    if (!to.faces[i]) continue;
+    ++faces;
+    data.make(to.faces[i], Face(i));
+    for (unsigned c = 0; c < 3; ++c) data.make(half_edge(to.faces[i], c), half_edge(Face(i), c));
   }
-  data.resize(std::size_t{each} * count);
+  for (std::uint32_t i = 0; i < to.vertices.size(); ++i) {
+    if (!to.vertices[i]) continue;
+    ++vertices;
+    data.make(to.vertices[i], Vertex(i));
+  }
+  data.resize(internal::DataKind::face, faces);
+  data.resize(internal::DataKind::half_edge, 3 * std::size_t{faces});
+  data.resize(internal::DataKind::vertex, vertices);
 }
 
 }  // namespace
@@ -78,12 +84,8 @@ Compressed Surface::compress() {
   s.total_ = total_;
 
   // Nothing fails any more.
-  compress_data(vertex_data_, to.vertices, 1);
-  compress_data(face_data_, to.faces, 1);
-  compress_data(half_edge_data_, to.faces, 3);
-  s.vertex_data_ = std::move(vertex_data_);
-  s.face_data_ = std::move(face_data_);
-  s.half_edge_data_ = std::move(half_edge_data_);
+  compress_data(data_, to);
+  s.data_ = std::move(data_);
   *this = std::move(s);
   return to;
 }

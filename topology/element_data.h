@@ -50,15 +50,22 @@ class ElementData final : private internal::AttachedData {
 
   /// Throws std::bad_alloc, having changed nothing, if there is no memory. Cost: O(ids).
   explicit ElementData(Surface& surface, T initial = T())
-      : initial_(initial), values_(limit(surface), initial), moving_(most_moved, initial) {
-    attach(surface.attachments(IdType()));
+      : AttachedData(kind),
+        initial_(initial),
+        values_(limit(surface), initial),
+        moving_(most_moved, initial) {
+    attach(surface.data_);
   }
   ElementData(const ElementData& other)
-      : initial_(other.initial_), values_(other.values_), moving_(other.moving_) {
+      : AttachedData(kind),
+        initial_(other.initial_),
+        values_(other.values_),
+        moving_(other.moving_) {
     if (other.attached()) attach(*other.list());
   }
   ElementData(ElementData&& other) noexcept
-      : initial_(other.initial_),
+      : AttachedData(kind),
+        initial_(other.initial_),
         values_(std::move(other.values_)),
         moving_(std::move(other.moving_)) {
     replace(other);
@@ -87,9 +94,9 @@ class ElementData final : private internal::AttachedData {
 
  private:
   static std::size_t limit(const Surface& surface) {
-    if constexpr (std::is_same_v<IdType, Vertex>)
+    if constexpr (kind == internal::DataKind::vertex)
       return surface.vertex_limit();
-    else if constexpr (std::is_same_v<IdType, Face>)
+    else if constexpr (kind == internal::DataKind::face)
       return surface.face_limit();
     else
       return surface.half_edge_limit();
@@ -108,7 +115,8 @@ class ElementData final : private internal::AttachedData {
     for (std::size_t i = 0; i < count; ++i) values_[moved[i].to] = static_cast<T>(moving_[i]);
   }
 
-  static constexpr std::size_t most_moved = std::is_same_v<IdType, HalfEdge> ? max_moved : 0;
+  static constexpr internal::DataKind kind = internal::kind_of(IdType());
+  static constexpr std::size_t most_moved = kind == internal::DataKind::half_edge ? max_moved : 0;
 
   T initial_;
   std::vector<T> values_;

@@ -28,7 +28,7 @@ Vertex Surface::merge_fans(std::span<const HalfEdge> starts) {
   Vertex kept = first;
   for (HalfEdge start : starts)
     if (corner_count(org(start)) > corner_count(kept)) kept = org(start);
-  if (kept != first) vertex_data_.make(kept, first);
+  if (kept != first && data_.any()) make_data(kept, first);
   for (HalfEdge start : starts) {
     const Vertex v = org(start);
     if (v == kept) continue;

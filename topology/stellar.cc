@@ -11,15 +11,6 @@ Failure<Violation> violation(Precondition p, std::uint32_t element) {
   return {Violation{p, element}};
 }
 
-/// Tells containers of half-edges where sides are going, or have gone.
-void move_sides(internal::Attachments& data, const Change& change) {
-  std::array<internal::MovedValue, internal::AttachedData::max_moved> moved;
-  std::size_t count = 0;
-  for (const Change::Slot& slot : change.slots())
-    moved[count++] = {slot.at.index(), slot.side.index()};
-  data.move(moved.data(), count);
-}
-
 }  // namespace
 
 /// Puts `to`, which is on no ring, where `from` is.
@@ -95,7 +86,7 @@ Result<Done, Violation> Surface::flip(HalfEdge h) {
   org_[t.index()] = c;
   --corners_[a.index()], --corners_[b.index()];
   ++corners_[c.index()], ++corners_[d.index()];
-  if (!half_edge_data_.empty()) move_sides(half_edge_data_, Change::of_flip(h, t));
+  if (data_.any()) move_sides(Change::of_flip(h, t));
   return Done{};
 }
 
@@ -159,7 +150,7 @@ Result<Vertex, Violation> Surface::split(HalfEdge h, Point p) {
   }
   counts_[k.index()] += effect(kind);
   total_ += effect(kind);
-  if (!half_edge_data_.empty()) move_sides(half_edge_data_, Change::of_split(*this, h, t, v));
+  if (data_.any()) move_sides(Change::of_split(*this, h, t, v));
   return v;
 }
 
@@ -187,7 +178,7 @@ Result<Vertex, Violation> Surface::split(Face f, Point p) {
   }
   counts_[k.index()] += effect(StellarCase::face);
   total_ += effect(StellarCase::face);
-  if (!half_edge_data_.empty()) move_sides(half_edge_data_, Change::of_split(*this, f, v));
+  if (data_.any()) move_sides(Change::of_split(*this, f, v));
   return v;
 }
 
@@ -281,7 +272,7 @@ Result<Welded, Violation> Surface::weld(HalfEdge h) {
   faces_.reserve(0);
   vertices_.reserve(0);
 
-  if (!half_edge_data_.empty()) move_sides(half_edge_data_, Change::of_weld(*this, h));
+  if (data_.any()) move_sides(Change::of_weld(*this, h));
   const Component k = component(left(h));
   const Welded done = boundary         ? weld_boundary_edge(v)
                       : degree(v) == 4 ? weld_interior_edge(h)

@@ -11,8 +11,7 @@ void Surface::reserve_faces(std::uint32_t count) {
   reserve_more(component_, growth);
   reserve_more(scratch_, growth);
   rings_.reserve(org_.capacity());
-  face_data_.reserve(component_.capacity());
-  half_edge_data_.reserve(org_.capacity());
+  if (data_.any()) reserve_face_data();
 }
 
 void Surface::reserve_vertices(std::uint32_t count) {
@@ -21,7 +20,7 @@ void Surface::reserve_vertices(std::uint32_t count) {
   reserve_more(star_, growth);
   reserve_more(corners_, growth);
   reserve_more(point_, growth);
-  vertex_data_.reserve(star_.capacity());
+  if (data_.any()) reserve_vertex_data();
 }
 
 void Surface::reserve_curves(std::uint32_t count) {
@@ -42,11 +41,8 @@ Face Surface::new_face(Face of) {
     rings_.resize(org_.size());
     component_.emplace_back();
     scratch_.emplace_back();
-    face_data_.resize(component_.size());
-    half_edge_data_.resize(org_.size());
   }
-  face_data_.make(f, of);
-  for (unsigned i = 0; i < 3; ++i) half_edge_data_.make(half_edge(f, i), HalfEdge());
+  if (data_.any()) make_data(f, of);
   return f;
 }
 
@@ -56,9 +52,8 @@ Vertex Surface::new_vertex(HalfEdge star, std::uint32_t corners, Point p, Vertex
     star_.emplace_back();
     corners_.emplace_back();
     point_.emplace_back();
-    vertex_data_.resize(star_.size());
   }
-  vertex_data_.make(v, of);
+  if (data_.any()) make_data(v, of);
   star_[v.index()] = star;
   corners_[v.index()] = corners;
   point_[v.index()] = p;

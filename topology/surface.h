@@ -20,6 +20,8 @@
 
 namespace clers {
 
+class Change;  // follow.h
+
 /// What a weld undid, and what splits it again.
 struct Welded {
   StellarCase undone = StellarCase::face;
@@ -365,10 +367,6 @@ class Surface {
   template <class IdType, class T>
   friend class ElementData;
 
-  internal::Attachments& attachments(Vertex) { return vertex_data_; }
-  internal::Attachments& attachments(Face) { return face_data_; }
-  internal::Attachments& attachments(HalfEdge) { return half_edge_data_; }
-
   template <class Step>
   Circulator<Step> circulate(HalfEdge start, std::uint32_t size) const {
     return Circulator<Step>({*this, start, size});
@@ -417,11 +415,19 @@ class Surface {
   void reserve_curves(std::uint32_t count);
   void reserve_components(std::uint32_t count);
 
-  // What is new has the values of `of`, if not null, in containers.
+  // What is new gets the values of `of`, if not null, in containers.
   Face new_face(Face of = {});
   Vertex new_vertex(HalfEdge star, std::uint32_t corners, Point p, Vertex of = {});
   void new_curve(HalfEdge tree) { name_curve(tree, curves_.take()); }
   Component new_component();
+  // Containers; each after data_.any(), so that an operator without them does not pay
+  // (element_data.cc).
+  void reserve_face_data();
+  void reserve_vertex_data();
+  void make_data(Face f, Face of);
+  void make_data(Vertex v, Vertex of);
+  void move_sides(const Change& change);
+
   void free_face(Face f);
   void free_vertex(Vertex v);
   void free_curve(Curve c);
@@ -475,7 +481,7 @@ class Surface {
   IdPool<Component> components_;
   Characteristic total_;
 
-  internal::Attachments vertex_data_, face_data_, half_edge_data_;
+  internal::Attachments data_;
 };
 
 }  // namespace clers

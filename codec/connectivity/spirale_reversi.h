@@ -250,6 +250,7 @@ class SpiraleReversi {
   /// What is left of the boundary is final: the holes, and the curve of the gate. Returns how many
   /// vertices are finished now.
   [[gnu::noinline]] std::uint32_t end_component(Gate gate, std::uint32_t finished) {
+    front_.end_component(gate, holes_);
     if (front_.prev(gate.x) == gate.y && source_.closed()) front_.close(gate);
     for (const std::uint32_t hole : holes_) finished = finish_curve(hole, hole, finished);
     holes_.clear();
