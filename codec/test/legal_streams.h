@@ -195,8 +195,8 @@ class WrittenOutSurface {
   std::uint32_t components_ = 0, hole_count_ = 0, handles_ = 0;
 };
 
-/// A legal stream of about `faces` faces. `choose(n)` gives 0 .. n - 1. A handle joins curves of
-/// one component, as in what encoders make.
+/// A legal stream of about `faces` faces. `choose(n)` gives 0 .. n - 1. A handle may join a curve
+/// of a part that an S joins later, which no encoder makes.
 template <class Choose>
 LegalStream legal_stream(std::uint32_t faces, Choose choose) {
   WrittenOutSurface surface;
@@ -205,38 +205,27 @@ LegalStream legal_stream(std::uint32_t faces, Choose choose) {
   const auto length = [&] { return static_cast<std::uint32_t>(surface.curve().size()); };
   const auto at = [&](std::uint32_t back) { return surface.curve()[length() - 1 - back].vertex; };
 
-  // How many gates were aside when a waiting curve was split off, or fewer where its component was
-  // glued to one of those since: its component is the gate's where there are as many now.
-  std::vector<std::size_t> depths;
-
   const auto split = [&](bool hole) {
     if (length() < 5) return false;
     const std::uint32_t d = 2 + choose(length() - 4);
     if (!surface.may_glue(at(d + 1), at(d))) return false;
     hole ? writer.hole(d) : writer.split(d);
-    if (!hole) depths.push_back(writer.aside());
     surface.split(d, hole);
     return true;
   };
   const auto join = [&] {
     if (writer.waiting() == 0) return false;
     const std::uint32_t recency = choose(static_cast<std::uint32_t>(writer.waiting()));
-    const auto depth = depths.end() - 1 - static_cast<std::ptrdiff_t>(recency);
-    if (*depth != writer.aside()) return false;
     const std::uint32_t position = choose(writer.waiting_length(recency));
     const WrittenOutSurface::Curve ring = surface.turned(recency, position);
     if (!surface.may_glue(ring.back().vertex, ring.front().vertex)) return false;
-    depths.erase(depth);
     writer.join(recency, position);
     surface.join(recency, position);
     return true;
   };
   const auto l = [&] { writer.l(), surface.l(); };
   const auto r = [&] { writer.r(), surface.r(); };
-  const auto s = [&] {
-    writer.s(), surface.s();
-    for (std::size_t& depth : depths) depth = std::min(depth, writer.aside());
-  };
+  const auto s = [&] { writer.s(), surface.s(); };
 
   while (writer.faces() < faces) {
     const std::uint32_t before = writer.faces();
