@@ -256,11 +256,10 @@ class Surface {
   ///          c                   c           f: (a b c) at h  ->  (d c a)
   ///         / \                 /|\          g: (b a d) at twin  ->  (c d b)
   ///        / f \               / | \         .
-  ///       a --h-> b           a f|g b        h and its twin stay the two sides of the edge. The
-  ///       rim
+  ///       a --h-> b           a f|g b        h and its twin stay the two sides of the edge. The rim
   ///        \ g /               \ ^ /         turns with it: c-a goes to lnext(h), a-d to lprev(h),
   ///         \ /                 \h/          d-b to lnext(twin), b-c to lprev(twin).
-  ///          d                   d           .
+  ///          d                   d
   ///
   /// Preconditions: `live_half_edge`, `interior_edge`, `two_faces`. Effect on (v,e,f,b,g,s): none;
   /// a and b lose a corner, c and d gain one. Inverse: flip(h), which leaves h running from b to a;

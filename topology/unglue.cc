@@ -10,8 +10,7 @@ namespace clers {
 /// walked in step, so the cost is that of the others.
 ///
 ///              ^ starts[0]
-///     fan 1    |                 The edge of `cut` is still whole while this runs: a fan ends
-///     before
+///     fan 1    |                 The edge of `cut` is still whole while this runs: a fan ends before
 ///              |     fan 0       one of its sides, or at the boundary.
 ///   cut -------v
 void Surface::split_fans(std::span<const HalfEdge> starts, HalfEdge cut) {

@@ -1,10 +1,10 @@
 // Spirale Reversi (CAGD 2010, §7.2, Algorithm 3): builds a surface from its CLERS string read
 // backwards.
 //
-// One driver for the decoder, which takes symbols from a stream, and for the encoder where it builds
-// a surface again: to count along curves (place_handles.cc) and to look around a gate. The printed
-// algorithm only attaches; what C, S, holes, handles and the closing edge need besides is in
-// topology/errata.md.
+// One driver for the decoder, which takes symbols from a stream, and for the encoder where it
+// builds a surface again: to count along curves (place_handles.cc) and to look around a gate. The
+// printed algorithm only attaches; what C, S, holes, handles and the closing edge need besides is
+// in topology/errata.md.
 //
 // Faces are written last to first, so that they come out in the order in which the encoder met
 // them; side 0 of each is its gate.

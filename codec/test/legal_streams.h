@@ -36,6 +36,7 @@ class WrittenOutSurface {
   WrittenOutSurface() { create(); }
 
   const Curve& curve() const { return curve_; }
+  const Curve& pending() const { return aside_.back(); }
   std::size_t faces() const { return corners_.size() / 3; }
 
   /// Whether x may be glued to a vertex: no face has both, and none has y.
@@ -225,7 +226,14 @@ LegalStream legal_stream(std::uint32_t faces, Choose choose) {
   };
   const auto l = [&] { writer.l(), surface.l(); };
   const auto r = [&] { writer.r(), surface.r(); };
-  const auto s = [&] { writer.s(), surface.s(); };
+  const auto s = [&] {
+    if (writer.aside() == 0) return false;
+    // A handle may already join the two.
+    const WrittenOutSurface::Curve& other = surface.pending();
+    if (!surface.may_glue(other.back().vertex, other.front().vertex)) return false;
+    writer.s(), surface.s();
+    return true;
+  };
 
   while (writer.faces() < faces) {
     const std::uint32_t before = writer.faces();
@@ -250,9 +258,7 @@ LegalStream legal_stream(std::uint32_t faces, Choose choose) {
         }
         break;
       case 10:
-      case 11:
-        if (writer.aside() > 0) s();
-        break;
+      case 11: s(); break;
       case 12: split(true); break;
       case 13: split(false); break;
       default: join(); break;
@@ -260,13 +266,8 @@ LegalStream legal_stream(std::uint32_t faces, Choose choose) {
     if (writer.faces() == before) r();  // that could not be
   }
   // A vertex of its own can be glued to all but its neighbours.
-  while (writer.waiting() > 0 || writer.aside() > 0) {
-    if (writer.aside() > 0) {
-      s();
-    } else if (!join()) {
-      l();
-    }
-  }
+  while (writer.waiting() > 0 || writer.aside() > 0)
+    if (!(writer.aside() > 0 ? s() : join())) l();
   const bool closed = closable();
   LegalStream out = surface.finish(closed);
   out.bytes = writer.finish(closed);
