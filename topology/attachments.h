@@ -1,5 +1,5 @@
-// How a surface reaches the containers that follow its edits (element_data.h). Internal: no part of
-// the API, though surface.h must include it.
+// How a surface reaches the containers that follow its edits (element_data.h).
+// Internal: installed because surface.h needs it, no part of the API.
 #ifndef CLERS_TOPOLOGY_ATTACHMENTS_H
 #define CLERS_TOPOLOGY_ATTACHMENTS_H
 

@@ -37,7 +37,7 @@
 #include "topology/handle_case.h"
 #include "topology/ids.h"
 
-namespace clers {
+namespace clers::internal {
 
 /// A vertex on the boundary. Once the vertex has left it, the codec keeps other things here.
 struct FrontLink {
@@ -207,6 +207,6 @@ class Opposites {
   std::span<HalfEdge> into_;
 };
 
-}  // namespace clers
+}  // namespace clers::internal
 
 #endif

@@ -19,7 +19,7 @@
 #include "topology/surface.h"
 #include "topology/validate.h"
 
-namespace clers {
+namespace clers::internal {
 
 /// Handle operators in the order in which they were applied, building or unbuilding: the numbers of
 /// HandleCase, and this for create and destroy.
@@ -254,6 +254,6 @@ class UnbuildingMirror {
   Validating validating_;
 };
 
-}  // namespace clers
+}  // namespace clers::internal
 
 #endif

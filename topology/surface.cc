@@ -3,6 +3,8 @@
 
 namespace clers {
 
+using internal::reserve_more;
+
 void Surface::reserve_faces(std::uint32_t count) {
   faces_.reserve(count);
   const std::uint32_t growth = faces_.growth(count);

@@ -461,7 +461,7 @@ class Surface {
   // By half-edge.
   std::vector<Vertex> org_;
   std::vector<HalfEdge> twin_;  // null: boundary
-  Rings rings_;                 // the boundary curves
+  internal::Rings rings_;       // the boundary curves
   // By face.
   std::vector<Component> component_;  // null: dead
   std::vector<Face> scratch_;         // queues of searches
@@ -474,10 +474,10 @@ class Surface {
   // By component.
   std::vector<Characteristic> counts_;  // s is 1; 0: dead
 
-  IdPool<Face> faces_;
-  IdPool<Vertex> vertices_;
-  IdPool<Curve> curves_;
-  IdPool<Component> components_;
+  internal::IdPool<Face> faces_;
+  internal::IdPool<Vertex> vertices_;
+  internal::IdPool<Curve> curves_;
+  internal::IdPool<Component> components_;
   Characteristic total_;
 
   internal::Attachments data_;

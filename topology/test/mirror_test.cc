@@ -10,7 +10,7 @@
 
 #include "topology/front.h"
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 using test_front = Front<BuildingMirror>;
@@ -294,4 +294,4 @@ TEST(Mirror, AHandleMayJoinACurveOfAPartThatIsPending) {
 }
 
 }  // namespace
-}  // namespace clers
+}  // namespace clers::internal
