@@ -11,7 +11,7 @@
 
 #include "topology/ids.h"
 
-namespace clers {
+namespace clers::internal {
 
 /// Witness of operators that is not interested.
 struct NoWitness {
@@ -63,6 +63,6 @@ class Unbuilding {
   Witness* witness_;
 };
 
-}  // namespace clers
+}  // namespace clers::internal
 
 #endif
