@@ -1,15 +1,16 @@
 // What handles and holes cost, for recipes of corpus/recipe.h and mesh files: bits of the S
-// letters, flags, lengths and positions that tell of them.
+// symbols, flags, lengths and positions that tell of them.
 #include <cstdio>
 
 #include "bench/input.h"
-#include "codec/adjacency.h"
-#include "codec/connectivity.h"
+#include "codec/connectivity/connectivity.h"
 #include "codec/encode.h"
+#include "codec/soup/adjacency.h"
 #include "corpus/recipe.h"
 
 int main(int argc, char** argv) {
   using namespace clers;
+  using namespace clers::internal;
   std::printf("%-44s %9s %8s %7s %10s %10s %8s\n", "mesh", "faces", "handles", "holes", "bits",
               "per event", "bits/tri");
   for (int i = 1; i < argc; ++i) {

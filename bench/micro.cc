@@ -10,19 +10,21 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "codec/adjacency.h"
-#include "codec/attribute.h"
-#include "codec/connectivity.h"
+#include "codec/attributes/attribute.h"
+#include "codec/attributes/prediction.h"
+#include "codec/connectivity/connectivity.h"
 #include "codec/decode.h"
 #include "codec/encode.h"
-#include "codec/prediction.h"
-#include "codec/rans.h"
-#include "codec/symbol_model.h"
+#include "codec/entropy/rans.h"
+#include "codec/soup/adjacency.h"
+#include "codec/symbols/context_models.h"
 #include "corpus/generate.h"
 #include "topology/front.h"
 
 namespace clers {
 namespace {
+
+using namespace internal;
 
 enum Shape { regular, irregular };
 
@@ -72,7 +74,7 @@ void adjacency(benchmark::State& state) {
 }
 BENCHMARK(adjacency)->Apply(shapes);
 
-// Unbuilding by detach and unglue, until every triangle has its letter and its context.
+// Unbuilding by detach and unglue, until every triangle has its symbol and its context.
 void traversal(benchmark::State& state) {
   const Surface s(mesh_of(state));
   std::vector<HalfEdge> twins(s.twins.size());
@@ -106,15 +108,15 @@ void connectivity_decode(benchmark::State& state) {
 }
 BENCHMARK(connectivity_decode)->Apply(shapes);
 
-// Letters in the order and with the valences in which a decoder meets them are not to be had from
+// Symbols in the order and with the valences in which a decoder meets them are not to be had from
 // outside; half C at one valence, the rest spread, costs the model as much.
-std::vector<Clers> letters(std::size_t n) {
+std::vector<Clers> symbols(std::size_t n) {
   std::vector<Clers> all(n);
   std::uint32_t random = 1;
-  for (Clers& letter : all) {
+  for (Clers& symbol : all) {
     random = random * 1664525u + 1013904223u;
     const std::uint32_t r = random >> 28;
-    letter = r < 8    ? Clers::C
+    symbol = r < 8    ? Clers::C
              : r < 13 ? Clers::R
              : r < 14 ? Clers::L
              : r < 15 ? Clers::S
@@ -137,14 +139,14 @@ std::vector<std::byte> coded(const std::vector<Clers>& all) {
 }
 
 void symbol_encode(benchmark::State& state) {
-  const std::vector<Clers> all = letters(200000);
+  const std::vector<Clers> all = symbols(200000);
   for (auto _ : state) benchmark::DoNotOptimize(coded(all));
   count_items(state, all.size());
 }
 BENCHMARK(symbol_encode);
 
 void symbol_decode(benchmark::State& state) {
-  const std::vector<Clers> all = letters(200000);
+  const std::vector<Clers> all = symbols(200000);
   const std::vector<std::byte> bytes = coded(all);
   for (auto _ : state) {
     SingleModel model(3);
@@ -155,7 +157,7 @@ void symbol_decode(benchmark::State& state) {
     for (std::size_t i = 0; i < all.size(); ++i)
       benchmark::DoNotOptimize(model.decode(in, front,
                                             Gate{.kx = 4 + static_cast<std::uint32_t>(i % 4)}, 0,
-                                            [](auto letter) { return Clers(letter()); }));
+                                            [](auto symbol) { return Clers(symbol()); }));
   }
   count_items(state, all.size());
 }

@@ -22,7 +22,7 @@ double clock_cost() {
 
 // Makes the branch predictor forget what it learnt from the run before, by branches that cannot be
 // predicted. A decoder of 20 000 triangles that runs again on the same bytes, or after another one
-// of the same letters, is up to 30 % faster: who decodes a mesh once never sees that.
+// of the same symbols, is up to 30 % faster: who decodes a mesh once never sees that.
 void forget_branches() {
   static std::uint64_t random = 1;
   static volatile std::uint32_t paths[4];

@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "codec/comparison/comparand.h"
+#include "codec/base/guarded.h"
+#include "codec/comparison/compared_mesh.h"
 #include "codec/comparison/equitable.h"
 #include "codec/comparison/pairing.h"
 #include "codec/comparison/refinement.h"
 #include "codec/comparison/renumbering.h"
-#include "codec/guarded.h"
 
 // Two meshes are the same when a bijection of vertices carries the faces of one, as a multiset of
 // cycles, onto those of the other, and every value with them. Finding it is graph isomorphism;
@@ -31,6 +31,8 @@
 namespace clers {
 namespace {
 
+using namespace internal;
+
 using Index = std::uint32_t;
 
 Comparison differ(std::string what) {
@@ -44,7 +46,7 @@ std::string two_counts(const char* what, std::uint64_t a, std::uint64_t b) {
 /// Steps 1 and 2: colours both until they differ, or each colour is alone, or a round learns
 /// little, which cells serve better than a round for every ring of faces. `image` becomes a
 /// bijection that keeps colours, the only one if it is `forced`.
-std::optional<std::string> colour(Comparand& a, Comparand& b, std::vector<Index>& image,
+std::optional<std::string> colour(ComparedMesh& a, ComparedMesh& b, std::vector<Index>& image,
                                   bool& forced) {
   constexpr std::uint64_t enough = 1u << 24;  // corners and vertices
   Classes vertices_a = classes(a.colour), vertices_b = classes(b.colour);
@@ -70,7 +72,7 @@ std::optional<std::string> colour(Comparand& a, Comparand& b, std::vector<Index>
 }
 
 /// What neither colours nor the order of attributes tell apart.
-Comparison compare_structure(Comparand& first, Comparand& second) {
+Comparison compare_structure(ComparedMesh& first, ComparedMesh& second) {
   std::vector<Index> image;
   bool forced = false;
   if (auto what = colour(first, second, image, forced)) return differ(std::move(*what));
@@ -98,7 +100,7 @@ Comparison compare_checked(const Mesh& a, const Mesh& b) {
     return differ(two_counts("faces", a.face_count(), b.face_count()));
   if (a.corners.size() != b.corners.size())
     return differ(two_counts("corners", a.corners.size(), b.corners.size()));
-  Comparand first(a), second(b);
+  ComparedMesh first(a), second(b);
   if (auto what = attributes_differ(first, second)) return differ(std::move(*what));
   return compare_structure(first, second);
 }
@@ -108,7 +110,7 @@ Comparison compare_checked(const Mesh& a, const Mesh& b) {
 Expected<Comparison> compare(const Mesh& a, const Mesh& b) {
   return guarded("compare", [&]() -> Expected<Comparison> {
     for (const Mesh* mesh : {&a, &b})
-      if (auto error = objection(*mesh)) {
+      if (auto error = why_not_comparable(*mesh)) {
         error->what = (mesh == &a ? "the first mesh " : "the second mesh ") + error->what;
         return Failure{std::move(*error)};
       }

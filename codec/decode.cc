@@ -4,15 +4,17 @@
 #include <atomic>
 #include <utility>
 
-#include "codec/budget.h"
-#include "codec/edges.h"
-#include "codec/faces.h"
-#include "codec/guarded.h"
-#include "codec/mesh_decoder.h"
-#include "codec/parallel.h"
+#include "codec/base/budget.h"
+#include "codec/base/guarded.h"
+#include "codec/base/parallel.h"
+#include "codec/file/mesh_decoder.h"
+#include "codec/soup/edges.h"
+#include "codec/soup/faces.h"
 
 namespace clers {
 namespace {
+
+using namespace internal;
 
 Failure<Error> in_mesh(Error error, std::size_t mesh, std::size_t meshes) {
   if (meshes > 1) error.what += " (mesh " + std::to_string(mesh) + ")";

@@ -6,22 +6,16 @@
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "codec/error.h"
 #include "codec/limits.h"
 #include "codec/mesh.h"
+#include "codec/options.h"
+#include "codec/piece.h"
 #include "topology/ids.h"
 
 namespace clers {
-
-struct DecodeOptions {
-  Limits limits;
-  std::function<void(std::string_view stage, double done)> progress;  ///< as in EncodeOptions
-  unsigned threads = 1;  ///< over meshes and pieces, or the attributes of a single one; 0: one a
-                         ///< core. They make no difference to the result, errors included
-};
 
 /// Decodes a .clers file. Trusts nothing: every index of a returned mesh is below its vertex_count,
 /// counts are checked against the bytes that remain and the limits before allocation, and what is
@@ -33,24 +27,6 @@ struct DecodeOptions {
 /// Cost: linear in the faces, and O(log n) for each handle. Thread safe: calls share nothing.
 Expected<std::vector<Mesh>> decode(std::span<const std::byte> bytes,
                                    const DecodeOptions& options = {});
-
-/// A vertex of a piece that is a vertex of a piece before it.
-struct SharedVertex {
-  std::uint32_t vertex;  ///< of the piece
-  std::uint32_t number;  ///< in the whole mesh
-};
-
-/// A part of a file that decodes alone: a piece of a mesh, or a mesh that is not in pieces.
-struct Piece {
-  std::size_t mesh_index = 0;        ///< of its mesh in the file
-  std::size_t index = 0, count = 1;  ///< among the pieces of the mesh
-  Mesh mesh;                         ///< with the values of all its vertices, the shared ones too;
-                                     ///< the first one of a mesh has the mesh's metadata
-  std::vector<SharedVertex> seam;    ///< in the order of `vertex`
-  std::uint32_t first_vertex = 0;    ///< its other vertices have this number and those that
-                                     ///< follow in the whole mesh, in their order
-  std::uint32_t first_face = 0;      ///< so have its faces
-};
 
 /// Decodes a file piece by piece, which `take` receives in their order: as decode, but no more than
 /// one is in memory. Numbers are those of the whole mesh as it is decoded without the order of its

@@ -6,16 +6,18 @@
 #include <stdexcept>
 #include <utility>
 
-#include "codec/container.h"
-#include "codec/guarded.h"
-#include "codec/mesh_encoder.h"
-#include "codec/metadata.h"
-#include "codec/parallel.h"
-#include "codec/partition.h"
-#include "codec/pieces.h"
+#include "codec/base/guarded.h"
+#include "codec/base/parallel.h"
+#include "codec/file/container.h"
+#include "codec/file/mesh_encoder.h"
+#include "codec/file/metadata.h"
+#include "codec/pieces/partition.h"
+#include "codec/pieces/pieces.h"
 
 namespace clers {
 namespace {
+
+using namespace internal;
 
 Failure<Error> in_mesh(Error error, std::size_t mesh, std::size_t meshes) {
   if (meshes > 1) error.what += " (mesh " + std::to_string(mesh) + ")";

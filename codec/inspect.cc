@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <utility>
 
-#include "codec/budget.h"
-#include "codec/guarded.h"
-#include "codec/measure.h"
-#include "codec/mesh_decoder.h"
+#include "codec/base/budget.h"
+#include "codec/base/guarded.h"
+#include "codec/file/mesh_decoder.h"
+#include "codec/soup/measure.h"
 
 namespace clers {
 namespace {
+
+using namespace internal;
 
 /// What the attributes of a piece cost; those of all pieces are the same ones.
 void add_attributes(const PieceSections& piece, MeshInfo& mesh) {
@@ -72,8 +74,8 @@ Expected<MeshInfo> look_at(const MeshSections& s) {
     mesh.cuts.copied_vertices += piece.copies;
     mesh.cuts.repeated_faces += piece.repeated_faces;
     mesh.cuts.loose_faces += piece.folded_faces + piece.loose_faces;
-    const auto letters = in_word_order(decoded->counts.letters);
-    for (std::size_t i = 0; i < letters.size(); ++i) mesh.clers[i] += letters[i];
+    const auto symbols = in_word_order(decoded->counts.symbols);
+    for (std::size_t i = 0; i < symbols.size(); ++i) mesh.clers[i] += symbols[i];
     mesh.connectivity_bytes += piece.payload_size + piece.seam_size;
     mesh.polygon_bytes += piece.polygons.bytes.size();
     mesh.stitching_bytes += piece.turned.bytes.size() + piece.stitches.bytes.size() +
@@ -119,6 +121,10 @@ Expected<FileInfo> inspect(std::span<const std::byte> bytes, const Limits& limit
     }
     return info;
   });
+}
+
+Expected<MeshShape> measure(const Mesh& mesh) {
+  return guarded("measure", [&] { return shape_of(mesh); });
 }
 
 }  // namespace clers

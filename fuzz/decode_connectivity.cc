@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "codec/budget.h"
-#include "codec/connectivity.h"
+#include "codec/base/budget.h"
+#include "codec/connectivity/connectivity.h"
 
 namespace {
 
@@ -18,17 +18,17 @@ void require(bool yes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto bytes = std::as_bytes(std::span(data, size));
-  auto header = clers::read_connectivity_header(bytes, 0);
+  auto header = clers::internal::read_connectivity_header(bytes, 0);
   if (!header) return 0;
   const std::uint64_t corner_count = 3 * std::uint64_t(header->faces);
-  const clers::Budget budget({}, size);
+  const clers::internal::Budget budget({}, size);
   if (!budget.check(corner_count * (2 * sizeof(std::uint32_t) + sizeof(clers::HalfEdge)) +
-                    clers::connectivity_memory(*header, true)))
+                    clers::internal::connectivity_memory(*header, true)))
     return 0;
   std::vector<std::uint32_t> corners(3 * std::size_t(header->faces)), again(corners.size());
   std::vector<clers::HalfEdge> twins(corners.size());
-  auto counts = clers::decode_connectivity(bytes, 0, *header, corners, twins);
-  auto plain = clers::decode_connectivity(bytes, 0, *header, again);
+  auto counts = clers::internal::decode_connectivity(bytes, 0, *header, corners, twins);
+  auto plain = clers::internal::decode_connectivity(bytes, 0, *header, again);
   require(counts.ok() == plain.ok());
   if (!counts) {
     require(counts.error().code == plain.error().code);
@@ -44,7 +44,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!t) continue;
     require(twins[t.index()] == h && corners[t.index()] == dest(h) && dest(t) == corners[i]);
   }
-  auto coded = clers::encode_connectivity({corners, twins, header->vertices}, 5);
+  auto coded = clers::internal::encode_connectivity({corners, twins, header->vertices}, 5);
   require(coded.ok());
   require(coded->gates.size() == header->faces && coded->vertices.size() == header->vertices);
   return 0;

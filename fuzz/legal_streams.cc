@@ -1,5 +1,5 @@
-// Bytes choose the letters and answers of a legal stream. It decodes to the surface that its
-// letters say, which is coded and comes back, and from there to the same bytes.
+// Bytes choose the symbols and answers of a legal stream. It decodes to the surface that its
+// symbols say, which is coded and comes back, and from there to the same bytes.
 #include "codec/test/legal_streams.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "codec/connectivity.h"
+#include "codec/connectivity/connectivity.h"
 #include "codec/test/correspondence.h"
 
 namespace {
@@ -28,19 +28,19 @@ struct Surface {
 };
 
 Surface decoded(std::span<const std::byte> bytes) {
-  const auto header = clers::read_connectivity_header(bytes, 0);
+  const auto header = clers::internal::read_connectivity_header(bytes, 0);
   require(header.ok());
   Surface s;
   s.vertices = header->vertices;
   s.corners.resize(3 * std::size_t(header->faces));
   s.twins.resize(s.corners.size());
-  require(clers::decode_connectivity(bytes, 0, *header, s.corners, s.twins).ok());
+  require(clers::internal::decode_connectivity(bytes, 0, *header, s.corners, s.twins).ok());
   return s;
 }
 
-clers::EncodedConnectivity encoded(const Surface& s, int level) {
+clers::internal::EncodedConnectivity encoded(const Surface& s, int level) {
   std::vector<HalfEdge> twins = s.twins;
-  auto coded = clers::encode_connectivity({s.corners, twins, s.vertices}, level);
+  auto coded = clers::internal::encode_connectivity({s.corners, twins, s.vertices}, level);
   require(coded.ok());
   return std::move(*coded);
 }
@@ -59,14 +59,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return value % n;
   };
   const auto faces = static_cast<std::uint32_t>(std::min<std::size_t>(size, 4096));
-  const clers::LegalStream stream = clers::legal_stream(faces, choose);
+  const clers::internal::LegalStream stream = clers::internal::legal_stream(faces, choose);
   const Surface in = decoded(stream.bytes);
   require(in.vertices == stream.vertices && in.corners == stream.corners &&
           in.twins == stream.twins);
 
-  const clers::EncodedConnectivity coded = encoded(in, level);
+  const clers::internal::EncodedConnectivity coded = encoded(in, level);
   const Surface out = decoded(coded.bytes);
-  require(clers::difference_of(in.corners, in.twins, coded, out.corners, out.twins).empty());
+  require(
+      clers::internal::difference_of(in.corners, in.twins, coded, out.corners, out.twins).empty());
   require(encoded(out, level).bytes == coded.bytes);
   return 0;
 }

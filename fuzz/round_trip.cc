@@ -9,6 +9,7 @@
 #include "codec/compare.h"
 #include "codec/decode.h"
 #include "codec/encode.h"
+#include "codec/inspect.h"
 
 namespace {
 

@@ -6,15 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "codec/adjacency.h"
-#include "codec/connectivity.h"
+#include "codec/connectivity/connectivity.h"
 #include "codec/encode.h"
 #include "codec/io/io.h"
+#include "codec/soup/adjacency.h"
 #include "corpus/generate.h"
 
 namespace {
 
 using namespace clers;
+using namespace clers::internal;
 
 struct Named {
   std::string name;

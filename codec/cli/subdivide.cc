@@ -8,7 +8,7 @@
 #include <cstring>
 #include <limits>
 
-#include "codec/adjacency.h"
+#include "codec/soup/adjacency.h"
 #include "topology/modeling/four_eight.h"
 #include "topology/modeling/loop.h"
 #include "topology/modeling/sqrt3.h"
@@ -105,10 +105,11 @@ Expected<Surface> surface_of(const Mesh& mesh) {
   for (std::size_t f = 0; f < c.size() / 3; ++f)
     if (c[3 * f] == c[3 * f + 1] || c[3 * f + 1] == c[3 * f + 2] || c[3 * f + 2] == c[3 * f])
       return fail(ErrorCode::degenerate_face, Place::face, f, "uses a vertex twice");
-  const Faces faces(c, {});
-  const auto twins = find_twins(faces, mesh.vertex_count);
+  const internal::Faces faces(c, {});
+  const auto twins = internal::find_twins(faces, mesh.vertex_count);
   if (!twins) return Failure{twins.error()};
-  if (const std::uint32_t v = vertex_of_several_fans(faces, *twins, mesh.vertex_count); v != ~0u)
+  if (const std::uint32_t v = internal::vertex_of_several_fans(faces, *twins, mesh.vertex_count);
+      v != ~0u)
     return fail(ErrorCode::nonmanifold_vertex, Place::vertex, v,
                 "has faces in more than one fan, subdivision is of manifolds");
   std::vector<Vertex> org;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace clers {
+namespace clers::internal {
 
 Classes classes(const std::vector<Colour>& colours) {
   Classes sorted(colours.size());
@@ -30,4 +30,4 @@ std::optional<std::string> histograms_differ(const Classes& a, const Classes& b,
   return std::nullopt;
 }
 
-}  // namespace clers
+}  // namespace clers::internal

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace clers {
+namespace clers::internal {
 
 using Colour = std::uint64_t;
 
@@ -39,6 +39,6 @@ std::size_t count_classes(const Classes& sorted);
 std::optional<std::string> histograms_differ(const Classes& a, const Classes& b,
                                              const std::string& element, const std::string& what);
 
-}  // namespace clers
+}  // namespace clers::internal
 
 #endif

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
-namespace clers {
+namespace clers::internal {
 
-Components::Components(const Comparand& mesh, const Classes& by_colour) {
+Components::Components(const ComparedMesh& mesh, const Classes& by_colour) {
   using Index = std::uint32_t;
   constexpr Index none = ~Index{0};
   // Union-find, the smallest vertex of a component its root.
@@ -45,4 +45,4 @@ Components::Components(const Comparand& mesh, const Classes& by_colour) {
       faces_[at[number[find(mesh.faces.cycle(face.second)[0])]]++] = face;
 }
 
-}  // namespace clers
+}  // namespace clers::internal

@@ -7,15 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include "codec/comparison/comparand.h"
+#include "codec/comparison/compared_mesh.h"
 
-namespace clers {
+namespace clers::internal {
 
 class Components {
  public:
   /// `by_colour`: all faces of the mesh. Those without corners are in no component.
   /// Cost: nearly linear.
-  Components(const Comparand& mesh, const Classes& by_colour);
+  Components(const ComparedMesh& mesh, const Classes& by_colour);
 
   std::uint32_t count() const { return static_cast<std::uint32_t>(colour.size()); }
   /// The faces of a component, by colour.
@@ -30,6 +30,6 @@ class Components {
   std::vector<std::uint32_t> begin_;
 };
 
-}  // namespace clers
+}  // namespace clers::internal
 
 #endif

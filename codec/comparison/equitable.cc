@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 using Index = std::uint32_t;
@@ -207,7 +207,7 @@ std::vector<Colour> vertex_colours(const Side& side) {
 /// along the edge that begins there, either way. Cells alone would not see a face that is turned
 /// where every face is there both ways.
 std::vector<Colour> corner_colours(const Side& side) {
-  const Comparand& mesh = side.mesh;
+  const ComparedMesh& mesh = side.mesh;
   std::vector<Colour> colours(mesh.corners());
   for (Index f = 0; f < mesh.faces.count(); ++f) {
     const Colour face = combine(mesh.value_of_face(f), mesh.faces.size(f));
@@ -301,4 +301,4 @@ Comparison pair_by_cells(const Side& a, const Side& b, std::vector<Index>& image
   return Refinement(a, b).run(image);
 }
 
-}  // namespace clers
+}  // namespace clers::internal

@@ -14,13 +14,13 @@
 #include "codec/compare.h"
 #include "codec/comparison/isomorphism.h"
 
-namespace clers {
+namespace clers::internal {
 
 /// same: `image` has a renumbering of the vertices, right up to collisions of colours. different:
 /// is certain. undecided: a choice was wrong, or there is none. Precondition: both have as many
 /// vertices and corners, and as many of each colour. Cost: n log n in vertices and corners.
 Comparison pair_by_cells(const Side& a, const Side& b, std::vector<std::uint32_t>& image);
 
-}  // namespace clers
+}  // namespace clers::internal
 
 #endif

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 using Index = std::uint32_t;
@@ -11,7 +11,7 @@ constexpr Index none = ~Index{0};
 
 }  // namespace
 
-Stars::Stars(const Comparand& mesh)
+Stars::Stars(const ComparedMesh& mesh)
     : faces_(mesh.faces), begin_(mesh.vertices() + std::size_t{1}), corners_(mesh.corners()) {
   // Radix sort by (vertex, next vertex). The scatter moves each begin to its end, so one further.
   std::vector<Index> by_next(mesh.corners()), place;
@@ -38,7 +38,7 @@ std::span<const Index> Stars::along(Index u, Index v) const {
   return {low, high};
 }
 
-Isomorphism::Isomorphism(const Comparand& mesh, std::uint64_t budget)
+Isomorphism::Isomorphism(const ComparedMesh& mesh, std::uint64_t budget)
     : image_(mesh.vertices(), none),
       origin_(mesh.vertices(), none),
       matched_from_(mesh.faces.count()),
@@ -120,7 +120,7 @@ std::optional<Isomorphism::Choice> Isomorphism::next_choice() {
 
 /// The face of one corner becomes that of the other. Precondition: `from` is not matched.
 bool Isomorphism::match(Index from, Index to) {
-  const Comparand &a = from_->mesh, &b = to_->mesh;
+  const ComparedMesh &a = from_->mesh, &b = to_->mesh;
   const Index f = a.faces.face(from), g = b.faces.face(to);
   if (matched_to_[g] || a.faces.size(f) != b.faces.size(g) ||
       a.value_of_face(f) != b.value_of_face(g))
@@ -203,7 +203,7 @@ bool Isomorphism::match_along(Index u, Index v) {
 /// Colour of a face read from a corner on, with the vertices that are matched known by the number
 /// that `name` gives them.
 template <class Name>
-Colour Isomorphism::known(const Comparand& mesh, Index c, Name name) {
+Colour Isomorphism::known(const ComparedMesh& mesh, Index c, Name name) {
   const Index n = mesh.faces.size(mesh.faces.face(c));
   Colour h = combine(n, mesh.value_of_face(mesh.faces.face(c)));
   for (Index j = 0; j < n; ++j, c = mesh.faces.next(c)) {
@@ -220,4 +220,4 @@ bool Isomorphism::has_unknown(Index f) const {
   return std::any_of(cycle.begin(), cycle.end(), [&](Index v) { return image_[v] == none; });
 }
 
-}  // namespace clers
+}  // namespace clers::internal

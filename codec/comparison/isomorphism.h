@@ -13,16 +13,16 @@
 #include <vector>
 
 #include "codec/compare.h"
-#include "codec/comparison/comparand.h"
+#include "codec/comparison/compared_mesh.h"
 #include "codec/comparison/components.h"
 
-namespace clers {
+namespace clers::internal {
 
 /// The corners at each vertex, sorted by the vertex that follows in the face.
 class Stars {
  public:
   /// Cost: linear (two passes of counting sort).
-  explicit Stars(const Comparand& mesh);
+  explicit Stars(const ComparedMesh& mesh);
 
   std::span<const std::uint32_t> at(std::uint32_t v) const {
     return std::span(corners_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
@@ -37,10 +37,10 @@ class Stars {
 
 /// A coloured mesh with its components and stars.
 struct Side {
-  Side(const Comparand& coloured, const Classes& faces_by_colour)
+  Side(const ComparedMesh& coloured, const Classes& faces_by_colour)
       : mesh(coloured), components(coloured, faces_by_colour), stars(coloured) {}
 
-  const Comparand& mesh;
+  const ComparedMesh& mesh;
   Components components;
   Stars stars;
 };
@@ -49,7 +49,7 @@ class Isomorphism {
  public:
   /// For components of meshes with as many vertices and faces as this one, and the same attributes.
   /// After `budget` visits of corners, all searches together, it gives up.
-  Isomorphism(const Comparand& mesh, std::uint64_t budget);
+  Isomorphism(const ComparedMesh& mesh, std::uint64_t budget);
 
   /// Component k of `from` and component l of `to`: is there a bijection that keeps faces, cycles
   /// and colours? `same` is true up to collisions of colours; `different` is certain.
@@ -77,7 +77,7 @@ class Isomorphism {
   bool propagate();
   bool match_along(Index u, Index v);
   template <class Name>
-  Colour known(const Comparand& mesh, Index c, Name name);
+  Colour known(const ComparedMesh& mesh, Index c, Name name);
   bool has_unknown(Index f) const;
 
   const Side *from_ = nullptr, *to_ = nullptr;
@@ -92,6 +92,6 @@ class Isomorphism {
   std::uint64_t work_ = 0, budget_;
 };
 
-}  // namespace clers
+}  // namespace clers::internal
 
 #endif

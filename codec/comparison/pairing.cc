@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 using Index = std::uint32_t;
@@ -124,4 +124,4 @@ Comparison pair_components(const Side& a, const Side& b, std::vector<Index>& ima
   return result;
 }
 
-}  // namespace clers
+}  // namespace clers::internal

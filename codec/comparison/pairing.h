@@ -13,13 +13,13 @@
 #include "codec/compare.h"
 #include "codec/comparison/isomorphism.h"
 
-namespace clers {
+namespace clers::internal {
 
 /// same: vertex v of the first mesh may become image[v], up to collisions of colours. different:
 /// the meshes are. undecided: after a number of steps that grows with the mesh. Precondition: the
 /// same attributes, and the same colours of vertices and faces as often.
 Comparison pair_components(const Side& a, const Side& b, std::vector<std::uint32_t>& image);
 
-}  // namespace clers
+}  // namespace clers::internal
 
 #endif

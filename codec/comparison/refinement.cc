@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 // The base of the polynomial by which cycles are hashed, and its inverse modulo 2^64.
@@ -16,7 +16,7 @@ constexpr Colour base_inverse = [] {
 static_assert(base * base_inverse == 1);
 
 /// How each vertex looks in a cycle.
-std::vector<Colour> looks(const Comparand& mesh) {
+std::vector<Colour> looks(const ComparedMesh& mesh) {
   std::vector<Colour> looks(mesh.colour.size());
   for (std::size_t v = 0; v < looks.size(); ++v) looks[v] = mix(mesh.colour[v]);
   return looks;
@@ -25,7 +25,7 @@ std::vector<Colour> looks(const Comparand& mesh) {
 /// Calls visit(corner, hash) for each corner of a face with the hash of the face's cycle read from
 /// that corner on; all of them in time linear in the face.
 template <class Visit>
-void each_rotation(const Comparand& mesh, const std::vector<Colour>& look, std::uint32_t f,
+void each_rotation(const ComparedMesh& mesh, const std::vector<Colour>& look, std::uint32_t f,
                    Visit visit) {
   const std::uint32_t begin = mesh.faces.begin(f), end = mesh.faces.end(f);
   const Colour tail = combine(mesh.value_of_face(f), end - begin);
@@ -46,7 +46,7 @@ void each_rotation(const Comparand& mesh, const std::vector<Colour>& look, std::
 
 }  // namespace
 
-void refine(Comparand& mesh) {
+void refine(ComparedMesh& mesh) {
   const std::vector<Colour> look = looks(mesh);
   std::vector<Colour> around(mesh.colour.size());
   for (std::uint32_t f = 0; f < mesh.faces.count(); ++f)
@@ -56,7 +56,7 @@ void refine(Comparand& mesh) {
     mesh.colour[v] = combine(mesh.colour[v], around[v]);
 }
 
-std::vector<Colour> face_colours(const Comparand& mesh) {
+std::vector<Colour> face_colours(const ComparedMesh& mesh) {
   const std::vector<Colour> look = looks(mesh);
   std::vector<Colour> colours(mesh.faces.count());
   for (std::uint32_t f = 0; f < mesh.faces.count(); ++f) {
@@ -67,4 +67,4 @@ std::vector<Colour> face_colours(const Comparand& mesh) {
   return colours;
 }
 
-}  // namespace clers
+}  // namespace clers::internal

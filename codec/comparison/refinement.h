@@ -4,17 +4,17 @@
 
 #include <vector>
 
-#include "codec/comparison/comparand.h"
+#include "codec/comparison/compared_mesh.h"
 
-namespace clers {
+namespace clers::internal {
 
 /// One round: a vertex's new colour is its old one and the multiset of the faces around it, each
 /// read as a cycle of colours and values from that vertex on. Cost: linear.
-void refine(Comparand& mesh);
+void refine(ComparedMesh& mesh);
 
 /// Colours of faces: their cycles of vertices and all values. Cost: linear.
-std::vector<Colour> face_colours(const Comparand& mesh);
+std::vector<Colour> face_colours(const ComparedMesh& mesh);
 
-}  // namespace clers
+}  // namespace clers::internal
 
 #endif

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 using Index = std::uint32_t;
@@ -10,7 +10,7 @@ using Index = std::uint32_t;
 /// Where the least rotation of a face's cycle starts, vertices numbered by `number`, ties broken by
 /// the corners' bits. Linear: two candidates race, and the loser skips what it shared.
 template <class Number>
-Index least_rotation(const Comparand& mesh, Index f, Number number) {
+Index least_rotation(const ComparedMesh& mesh, Index f, Number number) {
   const Index begin = mesh.faces.begin(f), n = mesh.faces.size(f);
   const auto corner = [&](Index j) { return begin + (j >= n ? j - n : j); };
   Index i = 0, j = 1, k = 0;
@@ -32,7 +32,7 @@ Index least_rotation(const Comparand& mesh, Index f, Number number) {
 
 /// The faces by a hash of their least rotation, and where that starts.
 template <class Number>
-Classes cycles(const Comparand& mesh, Number number, std::vector<Index>& start) {
+Classes cycles(const ComparedMesh& mesh, Number number, std::vector<Index>& start) {
   start.resize(mesh.faces.count());
   std::vector<Colour> hashes(mesh.faces.count());
   for (Index f = 0; f < mesh.faces.count(); ++f) {
@@ -50,7 +50,7 @@ Classes cycles(const Comparand& mesh, Number number, std::vector<Index>& start) 
 
 }  // namespace
 
-std::optional<std::string> renumbering_fails(const Comparand& a, const Comparand& b,
+std::optional<std::string> renumbering_fails(const ComparedMesh& a, const ComparedMesh& b,
                                              const std::vector<Index>& image) {
   std::vector<bool> hit(image.size());
   for (Index v = 0; v < image.size(); ++v) {
@@ -85,4 +85,4 @@ std::optional<std::string> renumbering_fails(const Comparand& a, const Comparand
   return std::nullopt;
 }
 
-}  // namespace clers
+}  // namespace clers::internal

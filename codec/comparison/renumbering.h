@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "codec/comparison/comparand.h"
+#include "codec/comparison/compared_mesh.h"
 
-namespace clers {
+namespace clers::internal {
 
 /// What fails when vertex v of one mesh is vertex image[v] of the other, faces and values compared
 /// bit by bit; nothing: they are the same. Cost: that of sorting the faces.
 /// Precondition: the same counts and attributes.
-std::optional<std::string> renumbering_fails(const Comparand& a, const Comparand& b,
+std::optional<std::string> renumbering_fails(const ComparedMesh& a, const ComparedMesh& b,
                                              const std::vector<std::uint32_t>& image);
 
-}  // namespace clers
+}  // namespace clers::internal
 
 #endif

@@ -4,11 +4,11 @@
 #include <cctype>
 #include <set>
 
-#include "codec/check.h"
-#include "codec/guarded.h"
+#include "codec/base/check.h"
+#include "codec/base/guarded.h"
+#include "codec/base/utf8.h"
 #include "codec/io/formats.h"
 #include "codec/io/numbers.h"
-#include "codec/utf8.h"
 
 namespace clers::io {
 
@@ -55,7 +55,7 @@ Expected<Done> check(const Mesh& mesh, std::size_t number) {
   const std::size_t counts[] = {mesh.vertex_count, mesh.corners.size(), mesh.face_count()};
   std::set<std::pair<Domain, std::string_view>> names;
   for (const Attribute& a : mesh.attributes) {
-    if (const std::string defect = kind_defect(a); !defect.empty())
+    if (const std::string defect = internal::kind_defect(a); !defect.empty())
       return inconsistent("attribute " + quoted(a.name) + " has " + defect);
     const std::size_t count = counts[static_cast<unsigned>(a.domain)];
     if (a.data.size() != count * a.stride())
@@ -79,7 +79,7 @@ Expected<ReadResult> read_text(std::string_view file, Read read) {
 
 // Mesh files say nothing of their encoding: what is no UTF-8 is taken as Latin-1.
 void make_utf8(std::string& name, Notes& notes) {
-  if (is_utf8(name)) return;
+  if (internal::is_utf8(name)) return;
   name = utf8_of_latin_1(name);
   note_remark(notes, 1, "the name " + quoted(name), "is not UTF-8 and was read as Latin-1");
 }
@@ -108,7 +108,7 @@ std::optional<Format> format_of(std::string_view name) {
 }
 
 Expected<ReadResult> read(std::span<const std::byte> bytes, Format format) {
-  return guarded("read", [&]() -> Expected<ReadResult> {
+  return internal::guarded("read", [&]() -> Expected<ReadResult> {
     // An OBJ of no statements may be a mesh, one of no bytes is what a failed download leaves.
     if (format == Format::obj && bytes.empty())
       return fail(ErrorCode::malformed, Place::byte, 0, "the file is empty");
@@ -130,7 +130,7 @@ Expected<ReadResult> read(std::span<const std::byte> bytes, Format format) {
 
 Expected<WriteResult> write(std::span<const Mesh> meshes, Format format,
                             std::optional<Encoding> encoding) {
-  return guarded("write", [&]() -> Expected<WriteResult> {
+  return internal::guarded("write", [&]() -> Expected<WriteResult> {
     for (std::size_t i = 0; i < meshes.size(); ++i)
       if (Expected<Done> checked = check(meshes[i], i); !checked)
         return Failure<Error>{checked.error()};

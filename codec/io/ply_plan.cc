@@ -3,9 +3,9 @@
 #include <map>
 #include <set>
 
+#include "codec/base/utf8.h"
 #include "codec/io/formats.h"
 #include "codec/io/ply.h"
-#include "codec/utf8.h"
 
 namespace clers::io::ply {
 
@@ -26,9 +26,10 @@ bool claim_holds(const Claim& claim, const Element& element) {
 
 // Names of properties may be any bytes: most likely Latin-1.
 std::string as_attribute(std::string_view property) {
-  std::string name = is_utf8(property) ? std::string(property) : utf8_of_latin_1(property);
+  std::string name =
+      internal::is_utf8(property) ? std::string(property) : utf8_of_latin_1(property);
   if (name.size() > longest_name) name.resize(longest_name - 8);
-  name.resize(first_not_utf8(name));  // what was cut in the middle
+  name.resize(internal::first_not_utf8(name));  // what was cut in the middle
   return name;
 }
 

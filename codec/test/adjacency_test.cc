@@ -1,4 +1,4 @@
-#include "codec/adjacency.h"
+#include "codec/soup/adjacency.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "corpus/generate.h"
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 /// Twins by a map of directed edges.
@@ -180,4 +180,4 @@ TEST(Adjacency, AnEdgeOfFourFacesIsFoundThoughFansAreSingle) {
 }
 
 }  // namespace
-}  // namespace clers
+}  // namespace clers::internal

@@ -10,7 +10,7 @@
 
 #include "codec/mesh.h"
 
-namespace clers::test {
+namespace clers::internal::test {
 
 template <class T>
 Attribute attribute(std::string name, Domain domain, Scalar scalar, unsigned components,
@@ -21,6 +21,6 @@ Attribute attribute(std::string name, Domain domain, Scalar scalar, unsigned com
   return a;
 }
 
-}  // namespace clers::test
+}  // namespace clers::internal::test
 
 #endif

@@ -1,4 +1,4 @@
-#include "codec/bisection.h"
+#include "codec/pieces/bisection.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -9,7 +9,7 @@
 #include <map>
 #include <numeric>
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 using Edges = std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>;
@@ -42,10 +42,10 @@ std::vector<std::uint64_t> weights(const Graph& graph, std::uint32_t parts,
 }
 
 TEST(Bisection, NothingAndLittle) {
-  EXPECT_TRUE(parted({}, 3).empty());
-  EXPECT_EQ(parted(graph_of({5}, {}), 1), std::vector<std::uint32_t>{0});
-  EXPECT_LT(parted(graph_of({5}, {}), 4)[0], 4u);
-  const auto part = parted(graph_of({1, 1, 1, 1}, {}), 4);
+  EXPECT_TRUE(partition_graph({}, 3).empty());
+  EXPECT_EQ(partition_graph(graph_of({5}, {}), 1), std::vector<std::uint32_t>{0});
+  EXPECT_LT(partition_graph(graph_of({5}, {}), 4)[0], 4u);
+  const auto part = partition_graph(graph_of({1, 1, 1, 1}, {}), 4);
   EXPECT_EQ(std::accumulate(part.begin(), part.end(), 0u), 0u + 1 + 2 + 3);
 }
 
@@ -66,7 +66,7 @@ RC_GTEST_PROP(Bisection, FindsCliques, ()) {
     join(c * size, (c + 1) % cliques * size + 1);
   }
   const Graph graph = graph_of(std::vector<std::uint32_t>(name.size(), 7), edges);
-  const auto part = parted(graph, cliques);
+  const auto part = partition_graph(graph, cliques);
   RC_ASSERT(cut(edges, part) == cliques);
   for (const std::uint64_t w : weights(graph, cliques, part)) RC_ASSERT(w == 7 * size);
 }
@@ -94,7 +94,7 @@ TEST(Bisection, IsNearlyAlwaysTheLeast) {
       for (std::uint32_t i = 0; i < n; ++i) part.push_back(half >> i & 1);
       least = std::min(least, cut(edges, part));
     }
-    const auto part = parted(graph, 2);
+    const auto part = partition_graph(graph, 2);
     EXPECT_EQ(weights(graph, 2, part)[0], n / 2);
     const std::uint64_t found = cut(edges, part);
     EXPECT_GE(found, least);
@@ -117,7 +117,7 @@ TEST(Bisection, PartsWeighAboutTheSame) {
   const Graph graph = graph_of(node_weights, edges);
   const std::uint64_t total = std::accumulate(node_weights.begin(), node_weights.end(), 0u);
   for (const std::uint32_t parts : {2u, 3u, 9u, 16u, 25u}) {
-    const auto part = parted(graph, parts);
+    const auto part = partition_graph(graph, parts);
     for (const std::uint64_t w : weights(graph, parts, part)) {
       EXPECT_GT(w * parts, total * 9 / 10) << parts;
       EXPECT_LT(w * parts, total * 11 / 10) << parts;
@@ -129,4 +129,4 @@ TEST(Bisection, PartsWeighAboutTheSame) {
 }
 
 }  // namespace
-}  // namespace clers
+}  // namespace clers::internal

@@ -13,7 +13,7 @@
 #include "codec/compare.h"
 #include "codec/test/shuffled.h"
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 using test::attribute;
@@ -359,4 +359,4 @@ TEST(CompareByForce, AllMeshesWithValuesOfVertices) {
 }
 
 }  // namespace
-}  // namespace clers
+}  // namespace clers::internal

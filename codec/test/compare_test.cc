@@ -11,7 +11,7 @@
 #include "codec/test/shuffled.h"
 #include "corpus/generate.h"
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 using test::attribute;
@@ -417,4 +417,4 @@ TEST(Compare, MeshesThatAreNoneAreErrors) {
 }
 
 }  // namespace
-}  // namespace clers
+}  // namespace clers::internal

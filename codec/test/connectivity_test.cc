@@ -1,6 +1,6 @@
 // Connectivity through the codec and back, checked by a correspondence of half-edges: every decoded
 // half-edge names the one it came from, and twins must go with twins.
-#include "codec/connectivity.h"
+#include "codec/connectivity/connectivity.h"
 
 #include <gtest/gtest.h>
 
@@ -8,15 +8,15 @@
 #include <set>
 #include <string>
 
-#include "codec/adjacency.h"
-#include "codec/spirale_reversi.h"
-#include "codec/stream_source.h"
+#include "codec/connectivity/spirale_reversi.h"
+#include "codec/connectivity/stream_source.h"
+#include "codec/soup/adjacency.h"
 #include "codec/test/correspondence.h"
 #include "corpus/enumerate.h"
 #include "corpus/generate.h"
 #include "corpus/random_gluing.h"
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 /// Arrays that own their memory.
@@ -124,7 +124,7 @@ void check(const Arrays& in, int level) {
   auto out = decode(coded->bytes);
   ASSERT_TRUE(out.ok()) << describe(out.error());
   ASSERT_TRUE(same(in, *coded, *out));
-  EXPECT_EQ(coded->counts.letters, out->counts.letters);
+  EXPECT_EQ(coded->counts.symbols, out->counts.symbols);
 
   // The fast operators and those on the full surface: equal bytes, equal traces, either way.
   consumed = in;
@@ -146,7 +146,7 @@ void check(const Arrays& in, int level) {
     with_stream_source(header, coded->bytes, [&](auto& source) {
       using Source = std::remove_reference_t<decltype(source)>;
       ASSERT_EQ((SpiraleReversi<Tracing, Source>(building, tracing, source).run().broken),
-                Broken::none);
+                StreamFault::none);
     });
     built = std::move(tracing.trace);
   }
@@ -166,10 +166,10 @@ void check(const Arrays& in, int level) {
   EXPECT_EQ(out->counts.boundary_curves, static_cast<std::uint64_t>(c.b));
   EXPECT_EQ(out->counts.handles, static_cast<std::uint64_t>(c.g));
   if (c.s == 1 && closed == 1) {
-    const auto letter = [&](Clers l) {
-      return static_cast<std::int64_t>(out->counts.letters[static_cast<unsigned>(l)]);
+    const auto symbol = [&](Clers l) {
+      return static_cast<std::int64_t>(out->counts.symbols[static_cast<unsigned>(l)]);
     };
-    EXPECT_EQ(letter(Clers::S) - letter(Clers::E), 2 * c.g - 1);
+    EXPECT_EQ(symbol(Clers::S) - symbol(Clers::E), 2 * c.g - 1);
     EXPECT_EQ(n.zip, c.v - 2);
   }
 }
@@ -343,4 +343,4 @@ TEST(Connectivity, AlteredStreamsGiveSurfacesOrErrors) {
 }
 
 }  // namespace
-}  // namespace clers
+}  // namespace clers::internal

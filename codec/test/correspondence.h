@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "codec/connectivity.h"
+#include "codec/connectivity/connectivity.h"
 #include "topology/ids.h"
 
-namespace clers {
+namespace clers::internal {
 
 /// Half-edge of the input that a decoded half-edge came from.
 inline HalfEdge origin_of(const EncodedConnectivity& coded, std::size_t h) {
@@ -45,6 +45,6 @@ inline std::string difference_of(std::span<const std::uint32_t> org,
   return {};
 }
 
-}  // namespace clers
+}  // namespace clers::internal
 
 #endif

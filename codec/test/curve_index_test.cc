@@ -1,15 +1,15 @@
-#include "codec/curve_index.h"
+#include "codec/connectivity/curve_index.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
 
-#include "codec/sequences.h"
-#include "codec/waiting_curves.h"
+#include "codec/connectivity/sequences.h"
+#include "codec/connectivity/waiting_curves.h"
 #include "corpus/random.h"
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 using Node = Sequences::Node;
@@ -248,4 +248,4 @@ TEST(CurveIndex, KnowsWhatIsWhere) {
 }
 
 }  // namespace
-}  // namespace clers
+}  // namespace clers::internal

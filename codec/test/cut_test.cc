@@ -1,5 +1,5 @@
 // How good cuts are: against the best of all cuts, on soups small enough to try them all.
-#include "codec/cut.h"
+#include "codec/soup/cut.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <numeric>
 #include <random>
 
-#include "codec/adjacency.h"
+#include "codec/soup/adjacency.h"
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 constexpr std::uint32_t none = HalfEdge::null_index;
@@ -174,4 +174,4 @@ TEST(Cut, IsNearTheBestOnSmallSoups) {
 }
 
 }  // namespace
-}  // namespace clers
+}  // namespace clers::internal

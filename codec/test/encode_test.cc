@@ -14,7 +14,7 @@
 #include "codec/test/round_trip.h"
 #include "corpus/generate.h"
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 Attribute random_attribute(std::string name, Domain domain, Scalar scalar, unsigned components,
@@ -340,4 +340,4 @@ TEST(Encode, RandomOrientationsKeepTheSurface) {
 }
 
 }  // namespace
-}  // namespace clers
+}  // namespace clers::internal

@@ -10,12 +10,12 @@
 #include <string_view>
 #include <utility>
 
-#include "codec/bytes.h"
-#include "codec/container.h"
+#include "codec/entropy/bytes.h"
+#include "codec/file/container.h"
+#include "codec/file/mesh_features.h"
 #include "codec/mesh.h"
-#include "codec/mesh_features.h"
 
-namespace clers::test {
+namespace clers::internal::test {
 
 /// Appends to a payload.
 class Payload {
@@ -72,7 +72,7 @@ inline Payload plain_mesh(std::uint64_t vertices, std::uint64_t faces, std::uint
   Bytes stream(stream_bytes);
   stream[stream_bytes - 1] = std::byte{1};  // the state 256, when there are two
   return std::move(
-      Payload().u8(feature::plain).varint(vertices).varint(faces).varint(corners).raw(stream));
+      Payload().u8(feature::raw).varint(vertices).varint(faces).varint(corners).raw(stream));
 }
 
 /// The tetrahedron of format.md, and vertices without a face.
@@ -82,6 +82,6 @@ inline Payload tetrahedron_mesh(std::uint64_t others = 0) {
   return std::move(p.u8(0).u8(0x41));
 }
 
-}  // namespace clers::test
+}  // namespace clers::internal::test
 
 #endif

@@ -13,7 +13,7 @@
 #include "codec/test/stream_writer.h"
 #include "topology/ids.h"
 
-namespace clers {
+namespace clers::internal {
 
 /// A stream and what a decoder must make of it.
 struct LegalStream {
@@ -23,7 +23,7 @@ struct LegalStream {
   std::uint32_t vertices = 0, components = 0, holes = 0, handles = 0;
 };
 
-/// A surface built from its letters as codec/format.md says, with every boundary curve written out.
+/// A surface built from its symbols as codec/format.md says, with every boundary curve written out.
 /// Cost: of an S the faces and vertices there are.
 class WrittenOutSurface {
  public:
@@ -284,6 +284,6 @@ LegalStream legal_stream(std::uint32_t faces, Choose choose) {
   return out;
 }
 
-}  // namespace clers
+}  // namespace clers::internal
 
 #endif

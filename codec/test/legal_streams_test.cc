@@ -8,11 +8,11 @@
 #include <limits>
 #include <string>
 
-#include "codec/connectivity.h"
+#include "codec/connectivity/connectivity.h"
 #include "codec/test/correspondence.h"
 #include "corpus/random.h"
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 struct Decoded {
@@ -40,7 +40,7 @@ Expected<EncodedConnectivity> encode(const Decoded& in, int level) {
   return encode_connectivity({in.corners, twins, in.vertices}, level);
 }
 
-/// What a decoder makes of a stream is what its letters say, and can be coded: to the same surface,
+/// What a decoder makes of a stream is what its symbols say, and can be coded: to the same surface,
 /// and from there to the same bytes.
 void check(const LegalStream& stream, int level) {
   const auto decoded = decode(stream.bytes);
@@ -179,4 +179,4 @@ TEST(LegalStreams, CostsGrowNoFasterThanFaces) {
 }
 
 }  // namespace
-}  // namespace clers
+}  // namespace clers::internal

@@ -1,4 +1,4 @@
-// What codes the letters: models of all levels, the mixer under level 9, the range coder.
+// What codes the symbols: models of all levels, the mixer under level 9, the range coder.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,14 +6,14 @@
 #include <random>
 #include <vector>
 
-#include "codec/adjacency.h"
-#include "codec/connectivity.h"
-#include "codec/logistic.h"
-#include "codec/mixer.h"
-#include "codec/rans.h"
+#include "codec/connectivity/connectivity.h"
+#include "codec/entropy/rans.h"
+#include "codec/soup/adjacency.h"
+#include "codec/symbols/logistic.h"
+#include "codec/symbols/mixer.h"
 #include "corpus/generate.h"
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 constexpr int levels[] = {1, 3, 5, 9};
@@ -68,7 +68,7 @@ TEST(Levels, NineIsNeverLargerThanFive) {
   }
 }
 
-/// Nor is any other, by more than 1 % or 16 bytes: not where nearly every letter is foreseen, nor
+/// Nor is any other, by more than 1 % or 16 bytes: not where nearly every symbol is foreseen, nor
 /// where there is little to learn from.
 TEST(Levels, AreInOrder) {
   std::vector<Mesh> meshes = {corpus::strip(3000),
@@ -159,4 +159,4 @@ TEST(Rans, StreamsOfEveryLength) {
 }
 
 }  // namespace
-}  // namespace clers
+}  // namespace clers::internal

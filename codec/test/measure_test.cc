@@ -3,7 +3,7 @@
 #include "codec/inspect.h"
 #include "corpus/generate.h"
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 struct Row {
@@ -60,4 +60,4 @@ TEST(Measure, PolygonsDegenerateFacesAndIsolatedVertices) {
 }
 
 }  // namespace
-}  // namespace clers
+}  // namespace clers::internal

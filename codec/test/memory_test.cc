@@ -12,7 +12,7 @@
 #include <memory>
 #include <new>
 
-#include "codec/connectivity.h"
+#include "codec/connectivity/connectivity.h"
 #include "codec/decode.h"
 #include "codec/encode.h"
 #include "codec/inspect.h"
@@ -67,7 +67,7 @@ void operator delete(void* p, std::size_t, std::align_val_t) noexcept {
   uncounted(p);
 }
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 using test::FileBuilder;
@@ -343,11 +343,11 @@ TEST(Memory, ManyAttributes) {
 TEST(Memory, TurnedAndLooseAndPolygonsThatAreNot) {
   const Bytes connectivity = loose_triangles(80'000, 5);
   const Bytes claims(128, std::byte{1});
-  Payload turned = surface(feature::turned, 0);
+  Payload turned = surface(feature::reversed, 0);
   turned.varint(80'000).stream(no_symbols).raw(connectivity);
   Payload polygons = surface(feature::polygons, 0);
   polygons.varint(79'999).stream(no_symbols).raw(connectivity);
-  Payload loose = surface(feature::loose, 0);
+  Payload loose = surface(feature::degenerate, 0);
   loose.varint(800'000).varint(800'000).stream(claims).raw(connectivity);
   const Payload plain = test::plain_mesh(10, 800'000, 800'000, 128);
   for (const Payload& mesh : {turned, polygons, loose, plain})
@@ -416,4 +416,4 @@ TEST(Memory, HonestFiles) {
 }
 
 }  // namespace
-}  // namespace clers
+}  // namespace clers::internal

@@ -1,14 +1,15 @@
-#include "codec/metadata.h"
+#include "codec/file/metadata.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include "codec/compare.h"
-#include "codec/container.h"
 #include "codec/decode.h"
 #include "codec/encode.h"
+#include "codec/file/container.h"
+#include "codec/inspect.h"
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 Mesh tetrahedron(std::vector<MetadataEntry> metadata) {
@@ -164,4 +165,4 @@ TEST(Metadata, FormatZeroPointOneIsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace clers
+}  // namespace clers::internal

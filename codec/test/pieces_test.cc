@@ -1,5 +1,5 @@
 // Meshes coded in pieces: tiny ones, so that everything is a seam.
-#include "codec/pieces.h"
+#include "codec/pieces/pieces.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -10,15 +10,15 @@
 #include <map>
 #include <set>
 
+#include "codec/base/parallel.h"
 #include "codec/compare.h"
 #include "codec/inspect.h"
-#include "codec/parallel.h"
-#include "codec/partition.h"
-#include "codec/seams.h"
+#include "codec/pieces/partition.h"
+#include "codec/pieces/seams.h"
 #include "codec/test/round_trip.h"
 #include "corpus/generate.h"
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 Attribute numbers(std::string name, Domain domain, std::size_t count) {
@@ -612,4 +612,4 @@ TEST(Inspect, CountsPieces) {
 }
 
 }  // namespace
-}  // namespace clers
+}  // namespace clers::internal

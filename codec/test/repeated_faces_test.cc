@@ -1,6 +1,6 @@
 // Faces that repeat others: found as by comparing all cycles, and left away as if they had never
 // been.
-#include "codec/repeated_faces.h"
+#include "codec/soup/repeated_faces.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 #include "corpus/generate.h"
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 /// The least of all rotations of a face and of its reverse.
@@ -106,4 +106,4 @@ TEST(Repeats, LeaveTheAdjacencyOfTheOthers) {
 }
 
 }  // namespace
-}  // namespace clers
+}  // namespace clers::internal

@@ -12,7 +12,7 @@
 #include "codec/encode.h"
 #include "codec/inspect.h"
 
-namespace clers {
+namespace clers::internal {
 
 inline std::uint32_t size_of_face(const Mesh& mesh, std::size_t f) {
   return mesh.triangles_only() ? 3 : mesh.face_sizes[f];
@@ -108,6 +108,6 @@ inline std::vector<std::byte> round_trip(std::span<const Mesh> meshes, int level
   return coded->bytes;
 }
 
-}  // namespace clers
+}  // namespace clers::internal
 
 #endif

@@ -14,7 +14,7 @@
 #include "codec/mesh.h"
 #include "codec/test/attribute.h"
 
-namespace clers::test {
+namespace clers::internal::test {
 
 using Index = std::uint32_t;
 
@@ -59,6 +59,6 @@ inline Mesh shuffled(const Mesh& m, std::mt19937& random) {
   return out;
 }
 
-}  // namespace clers::test
+}  // namespace clers::internal::test
 
 #endif

@@ -10,7 +10,7 @@
 #include "codec/test/round_trip.h"
 #include "corpus/generate.h"
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 using Random = std::mt19937_64;
@@ -82,4 +82,4 @@ TEST(Soup, LargerOnesSurvive) {
 }
 
 }  // namespace
-}  // namespace clers
+}  // namespace clers::internal

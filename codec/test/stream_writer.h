@@ -1,4 +1,4 @@
-// Connectivity written letter by letter, as codec/format.md says and no encoder does.
+// Connectivity written symbol by symbol, as codec/format.md says and no encoder does.
 #ifndef CLERS_CODEC_TEST_STREAM_WRITER_H
 #define CLERS_CODEC_TEST_STREAM_WRITER_H
 
@@ -6,21 +6,21 @@
 #include <cstdint>
 #include <vector>
 
-#include "codec/bytes.h"
-#include "codec/clers.h"
-#include "codec/connectivity.h"
-#include "codec/event_model.h"
-#include "codec/prefix_code.h"
-#include "codec/rans.h"
+#include "codec/connectivity/connectivity.h"
+#include "codec/connectivity/event_model.h"
+#include "codec/entropy/bytes.h"
+#include "codec/entropy/rans.h"
+#include "codec/symbols/prefix_code.h"
+#include "codec/symbols/symbol.h"
 
-namespace clers {
+namespace clers::internal {
 
-/// Letters of a prefix code and their answers. Begins after the first triangle. Knows the lengths
+/// Symbols of a prefix code and their answers. Begins after the first triangle. Knows the lengths
 /// of boundary curves, since numbers are coded by them, but not whether a face repeats a vertex:
 /// that is the caller's to avoid.
 class StreamWriter {
  public:
-  explicit StreamWriter(std::size_t most_faces) : letters_(most_faces), answers_(stream_) {}
+  explicit StreamWriter(std::size_t most_faces) : symbols_(most_faces), answers_(stream_) {}
 
   std::uint32_t length() const { return n_; }  ///< edges of the gate's curve
   std::size_t aside() const { return aside_.size(); }
@@ -68,7 +68,7 @@ class StreamWriter {
   /// Everything there is. Precondition: no gate is aside, no curve waits.
   Bytes finish(bool closed) {
     end(closed);
-    const std::vector<std::byte> letters = letters_.finish();
+    const std::vector<std::byte> symbols = symbols_.finish();
     Bytes out;
     put_varint(out, faces_);
     put_signed_varint(out, 2 * std::int64_t(made_ - merges_) - faces_ - 4);
@@ -76,15 +76,15 @@ class StreamWriter {
     while (room_for_merges(room) < merges_) ++room;
     put_u8(out, room);
     put_u8(out, 0);
-    put_varint(out, letters.size());
-    put_bytes(out, letters);
+    put_varint(out, symbols.size());
+    put_bytes(out, symbols);
     stream_.finish(out);
     return out;
   }
 
  private:
-  void put(Clers letter) {
-    letters_.put(letter);
+  void put(Clers symbol) {
+    symbols_.put(symbol);
     ++faces_;
   }
   void put_s(bool special) {
@@ -100,7 +100,7 @@ class StreamWriter {
     if (n_ == 2) events_.closed(answers_, closed);
   }
 
-  LetterWriter letters_;
+  SymbolWriter symbols_;
   rans::Encoder stream_;
   EncodeTo answers_;
   EventModel events_;
@@ -108,6 +108,6 @@ class StreamWriter {
   std::vector<std::uint32_t> aside_, waiting_;  ///< lengths
 };
 
-}  // namespace clers
+}  // namespace clers::internal
 
 #endif

@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "codec/base/utf8.h"
 #include "codec/decode.h"
 #include "codec/encode.h"
 #include "codec/inspect.h"
 #include "codec/test/attribute.h"
 #include "codec/test/file_builder.h"
-#include "codec/utf8.h"
 #include "corpus/generate.h"
 
-namespace clers {
+namespace clers::internal {
 namespace {
 
 using test::FileBuilder;
@@ -214,4 +214,4 @@ TEST(Threads, AnyNumberMayBeAskedFor) {
 }
 
 }  // namespace
-}  // namespace clers
+}  // namespace clers::internal

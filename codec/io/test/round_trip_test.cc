@@ -4,8 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "codec/base/utf8.h"
 #include "codec/io/test/meshes.h"
-#include "codec/utf8.h"
 
 namespace clers::io {
 namespace {
@@ -84,8 +84,8 @@ Scalar random_float() {
 // UTF-8 of at most 255 bytes.
 std::string random_name() {
   auto name = *rc::gen::arbitrary<std::string>();
-  name.resize(std::min<std::size_t>(first_not_utf8(name), 200));
-  name.resize(first_not_utf8(name));
+  name.resize(std::min<std::size_t>(internal::first_not_utf8(name), 200));
+  name.resize(internal::first_not_utf8(name));
   if (*rc::gen::arbitrary<bool>()) name += "\xc3\xbc";
   return name;
 }

@@ -1,0 +1,96 @@
+#include "codec/comparison/compared_mesh.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "codec/base/check.h"
+
+namespace clers::internal {
+namespace {
+
+auto key(const Attribute& a) {
+  return std::tie(a.domain, a.name, a.scalar, a.components);
+}
+
+std::string title(const Attribute& a) {
+  static constexpr const char* domains[] = {"vertex", "corner", "face"};
+  static constexpr const char* scalars[scalar_count] = {"int8",    "uint8",  "int16", "uint16",
+                                                        "int32",   "uint32", "int64", "uint64",
+                                                        "float32", "float64"};
+  return std::string(domains[static_cast<unsigned>(a.domain)]) + " attribute '" + a.name + "' (" +
+         std::to_string(a.components) + " " + scalars[static_cast<unsigned>(a.scalar)] + ")";
+}
+
+}  // namespace
+
+ComparedMesh::ComparedMesh(const Mesh& mesh)
+    : faces(mesh.corners, mesh.face_sizes), colour(mesh.vertex_count) {
+  for (const Attribute& a : mesh.attributes) attributes.push_back(&a);
+  std::stable_sort(attributes.begin(), attributes.end(),
+                   [](const Attribute* a, const Attribute* b) { return key(*a) < key(*b); });
+  for (std::size_t k = 0; k < attributes.size(); ++k) {
+    const Attribute& a = *attributes[k];
+    auto& [begin, end] = of_domain[static_cast<std::size_t>(a.domain)];
+    if (begin == end) begin = k;
+    end = k + 1;
+    const std::size_t count = mesh.value_count(a.domain), stride = a.stride();
+    std::vector<Colour>& target = a.domain == Domain::vertex   ? colour
+                                  : a.domain == Domain::corner ? corner_values
+                                                               : face_values;
+    target.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      Colour h = combine(target[i], k);
+      for (std::size_t at = 0; at < stride; at += sizeof(Colour)) {
+        Colour word = 0;
+        std::memcpy(&word, a.data.data() + i * stride + at, std::min(sizeof word, stride - at));
+        h = combine(h, word);
+      }
+      target[i] = h;
+    }
+  }
+}
+
+std::optional<Error> why_not_comparable(const Mesh& mesh) {
+  const auto wrong = [](std::string what) {
+    return Error{ErrorCode::inconsistent_mesh, Place::nowhere, 0, std::move(what)};
+  };
+  constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() - 1;
+  if (mesh.corners.size() > most || mesh.face_count() > most)
+    return Error{ErrorCode::too_large, Place::nowhere, 0,
+                 "has more than " + std::to_string(most) + " corners or faces"};
+  if (mesh.triangles_only() ? mesh.corners.size() % 3 != 0
+                            : std::accumulate(mesh.face_sizes.begin(), mesh.face_sizes.end(),
+                                              std::uint64_t{0}) != mesh.corners.size())
+    return wrong("has face sizes that do not add up to its corners");
+  for (const std::uint32_t v : mesh.corners)
+    if (v >= mesh.vertex_count)
+      return wrong("uses vertex " + std::to_string(v) + ", expected one below " +
+                   std::to_string(mesh.vertex_count));
+  for (const Attribute& a : mesh.attributes) {
+    if (const std::string defect = kind_defect(a); !defect.empty())
+      return wrong("has an attribute '" + a.name + "' of " + defect);
+    if (a.data.size() != mesh.value_count(a.domain) * a.stride())
+      return wrong("has " + std::to_string(a.data.size()) + " bytes of values of '" + a.name +
+                   "', expected " + std::to_string(mesh.value_count(a.domain)) + " times " +
+                   std::to_string(a.stride()));
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> attributes_differ(const ComparedMesh& a, const ComparedMesh& b) {
+  for (std::size_t k = 0; k < std::max(a.attributes.size(), b.attributes.size()); ++k) {
+    const Attribute* x = k < a.attributes.size() ? a.attributes[k] : nullptr;
+    const Attribute* y = k < b.attributes.size() ? b.attributes[k] : nullptr;
+    if (x != nullptr && y != nullptr && key(*x) == key(*y)) continue;
+    const bool in_first = y == nullptr || (x != nullptr && key(*x) < key(*y));
+    return title(in_first ? *x : *y) + " is only in the " + (in_first ? "first" : "second") +
+           " mesh";
+  }
+  return std::nullopt;
+}
+
+}  // namespace clers::internal

@@ -1,0 +1,246 @@
+#include <algorithm>
+#include <new>
+#include <optional>
+#include <type_traits>
+
+#include "codec/connectivity/connectivity.h"
+#include "codec/connectivity/decode_script.h"
+#include "codec/connectivity/event_writer.h"
+#include "codec/connectivity/place_handles.h"
+#include "codec/connectivity/replayed_script.h"
+#include "codec/connectivity/spirale_reversi.h"
+#include "codec/entropy/bytes.h"
+#include "codec/entropy/rans.h"
+#include "codec/symbols/choose_model.h"
+#include "codec/symbols/context_models.h"
+#include "codec/symbols/mixing_model.h"
+#include "codec/symbols/prefix_code.h"
+#include "topology/mirror.h"
+
+namespace clers::internal {
+namespace {
+
+static_assert(Traversal::max_valence == ContextTables::max_valence);
+
+/// Tells symbols and answers while the surface is built once more, with all that the decoder will
+/// know of it.
+class EncodingSource : public EventWriter {
+ public:
+  EncodingSource(const DecodeScript& record, std::size_t ids, rans::Encoder& out)
+      : EventWriter(record.events, out),
+        contexts_(record.contexts),
+        coder_(out),
+        model_(contexts_.size(), ids) {}
+
+  void first() { ++next_; }
+  template <class Front, class Gate, class Then>
+  auto symbol(const Front& front, const Gate& gate, std::size_t aside, Then then) {
+    symbol_begins();
+    const Clers symbol = static_cast<Clers>(contexts_[next_++] & 7);
+    model_.code(coder_, front, gate, aside, symbol);
+    return with_symbol(symbol, then);
+  }
+
+ private:
+  const std::vector<std::uint8_t>& contexts_;
+  std::size_t next_ = 0;
+  EncodeTo coder_;
+  MixingModel model_;
+};
+
+/// What follows the header, and what it tells of.
+struct CodedSymbols {
+  SymbolModel model;
+  Bytes bytes;
+  std::uint64_t handles = 0, holes = 0, closed_components = 0, special_cost = 0;
+};
+
+/// Tells the symbols and answers with a model.
+CodedSymbols encode_symbols(SymbolModel model, const DecodeScript& record, std::size_t ids) {
+  CodedSymbols told;
+  told.model = model;
+  rans::Encoder stream;
+  const auto finish = [&](const EventWriter& answers) {
+    told.handles = answers.handles;
+    told.holes = answers.holes;
+    told.closed_components = answers.closed_components;
+    told.special_cost = answers.special_cost;
+    stream.finish(told.bytes);
+  };
+  const std::uint32_t faces = static_cast<std::uint32_t>(record.contexts.size());
+  if (model.kind == SymbolModel::Kind::mixing) {
+    std::vector<std::uint32_t> corners(3 * faces);
+    std::vector<FrontLink> links(ids);
+    Building building;
+    building.corners = corners;
+    building.links = links;
+    NoPairing none;
+    EncodingSource source(record, ids, stream);
+    SpiraleReversi<NoPairing, EncodingSource>(building, none, source).run();
+    finish(source);
+    return told;
+  }
+  EventWriter answers(record.events, stream);
+  // put(symbol, valence) for each, and the answers where they are asked for.
+  const auto tell_all = [&](auto put) {
+    const std::uint8_t* const contexts = record.contexts.data();
+    const auto put_at = [&](std::uint32_t i) {
+      if (i > 0) put(static_cast<Clers>(contexts[i] & 7), contexts[i] >> 3);
+    };
+    for (std::uint32_t i = 0;; ++i) {
+      for (const std::uint32_t next = std::min(answers.next_symbol(), faces); i < next; ++i)
+        put_at(i);
+      if (i == faces) break;
+      answers.symbol_begins();
+      put_at(i);
+      answers.write_after(i);
+    }
+  };
+  const auto tell_with = [&](auto symbols) {
+    if (!symbols.ok()) throw std::bad_alloc();
+    stream.reserve(faces + 4 * record.events.size());
+    tell_all([&](Clers symbol, std::uint32_t kx) { stream.put(symbols.encode(symbol, kx)); });
+  };
+  switch (model.kind) {
+    case SymbolModel::Kind::single: tell_with(SingleModel(model.history)); break;
+    case SymbolModel::Kind::code: {
+      SymbolWriter symbols(faces);
+      tell_all([&](Clers symbol, std::uint32_t) { symbols.put(symbol); });
+      const Bytes code = symbols.finish();
+      put_varint(told.bytes, code.size());
+      put_bytes(told.bytes, code);
+      break;
+    }
+    default:
+      tell_with(PairModel(model.history, model.kind == SymbolModel::Kind::quick_pair));
+      break;
+  }
+  finish(answers);
+  if (model.kind == SymbolModel::Kind::code)  // the symbols S, 4 bits each
+    told.special_cost += 4 * 256 * (told.holes + 2 * told.handles);
+  return told;
+}
+
+/// Tells with the model of a level, or of a lower one where that takes fewer bytes: the more a
+/// model has to learn, the less it pays where there is little to learn from, or little to say. So
+/// no level is larger than those below. To look costs half as much again, and is done where it may
+/// matter.
+CodedSymbols encode_briefly(const DecodeScript& record, int level, std::size_t ids) {
+  using Kind = SymbolModel::Kind;
+  const SymbolModel model = choose_model(record.contexts, level);
+  CodedSymbols told = encode_symbols(model, record, ids);
+  const std::size_t size = told.bytes.size();
+  const bool little =
+      size > 96 && size < std::min<std::size_t>(512, record.contexts.size() * 3 / 64);
+  if (model.kind == Kind::mixing || (level >= 5 && little)) {
+    CodedSymbols simpler = encode_briefly(record, model.kind == Kind::mixing ? 5 : 3, ids);
+    if (simpler.bytes.size() < told.bytes.size()) return simpler;
+  }
+  return told;
+}
+
+void put_header(Bytes& out, std::uint32_t faces, std::uint32_t vertices, std::uint32_t merges,
+                SymbolModel model) {
+  put_varint(out, faces);
+  put_signed_varint(out, 2 * std::int64_t(vertices) - faces - 4);
+  std::uint32_t room = 0;
+  while (room_for_merges(room) < merges) ++room;
+  put_u8(out, room);
+  put_u8(out, model.byte());
+}
+
+template <class Witness>
+Witness make_witness(const SurfaceArrays& arrays) {
+  if constexpr (std::is_same_v<Witness, NoWitness>) {
+    return {};
+  } else {
+    std::vector<Vertex> org(arrays.org.size());
+    for (std::size_t h = 0; h < org.size(); ++h) org[h] = Vertex(arrays.org[h]);
+    auto surface = Surface::from_twins(org, arrays.twins, arrays.vertex_count);
+    return Witness(surface ? std::move(*surface) : Surface());
+  }
+}
+
+/// What was unbuilt is gone now, and was built again by the same operators in opposite order.
+bool agree(const UnbuildingMirror& unbuilt, const BuildingMirror& built) {
+  return unbuilt.agrees && built.agrees && unbuilt.surface.characteristic() == Characteristic{} &&
+         std::equal(unbuilt.trace.begin(), unbuilt.trace.end(), built.trace.rbegin(),
+                    built.trace.rend());
+}
+
+bool agree(const DecodeScript& a, const DecodeScript& b) {
+  return a.contexts == b.contexts && a.events == b.events && a.vertices == b.vertices;
+}
+
+template <bool on_full_surface>
+Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorTrace* trace) {
+  EncodedConnectivity result;
+  const std::uint32_t faces = static_cast<std::uint32_t>(surface.twins.size() / 3);
+  if (faces == 0) {
+    put_varint(result.bytes, 0);
+    return result;
+  }
+  using Witness = std::conditional_t<on_full_surface, UnbuildingMirror, NoWitness>;
+  Witness witness = make_witness<Witness>(surface);
+  const bool valences = on_full_surface || level >= 3;
+  Traversal traversal = valences ? Edgebreaker<Witness, true>(surface, witness).run()
+                                 : Edgebreaker<Witness, false>(surface, witness).run();
+  if (traversal.trouble == Traversal::Trouble::several_fans)  // a surface has a vertex for each
+    return fail(ErrorCode::nonmanifold_vertex, "the faces of a vertex form more than one fan");
+  if (traversal.handles && !place_handles(traversal))
+    return fail(ErrorCode::internal, "handles that are not where they were");
+
+  std::optional<DecodeScript> built;
+  if constexpr (on_full_surface) {
+    BuildingMirror pairing(3 * std::size_t(faces));
+    built = replayed_script(surface.org, surface.vertex_count, traversal, pairing);
+    if (!built || !agree(witness, pairing))
+      return fail(ErrorCode::internal, "the fast operators and the full surface do not agree");
+    if (trace) *trace = std::move(witness.trace);
+  }
+  DecodeScript record = script_of(traversal);
+  if (built && !agree(record, *built))
+    return fail(ErrorCode::internal, "the record is not that of the surface built again");
+
+  result.counts.symbols = record.symbols;
+  const auto count = [&](Clers symbol) { return record.symbols[static_cast<unsigned>(symbol)]; };
+  const auto ids =
+      static_cast<std::size_t>(count(Clers::R) + count(Clers::L) + 3 * count(Clers::E));
+
+  const CodedSymbols told = encode_briefly(record, level, ids);
+  put_header(result.bytes, faces, static_cast<std::uint32_t>(record.vertices.size()),
+             static_cast<std::uint32_t>(count(Clers::S)), told.model);
+  put_bytes(result.bytes, told.bytes);
+  result.special_cost = told.special_cost;
+  result.counts.components = traversal.starts.size();
+  result.counts.handles = told.handles;
+  result.counts.coded_holes = told.holes;
+  result.counts.boundary_curves = told.holes + traversal.starts.size() - told.closed_components;
+
+  result.vertices = std::move(record.vertices);
+  result.gates = std::move(traversal.gates);
+  return result;
+}
+
+#ifdef CLERS_BOOKKEEPING
+constexpr bool bookkeeping = true;
+#else
+constexpr bool bookkeeping = false;
+#endif
+
+}  // namespace
+
+Expected<EncodedConnectivity> encode_connectivity(SurfaceArrays surface, int level) try {
+  return encode<bookkeeping>(surface, level, nullptr);
+} catch (const std::bad_alloc&) {
+  return fail(ErrorCode::out_of_memory, "not enough memory for the connectivity");
+}
+
+Expected<EncodedConnectivity> encode_connectivity_on_surface(SurfaceArrays surface, int level,
+                                                             OperatorTrace& trace) try {
+  return encode<true>(surface, level, &trace);
+} catch (const std::bad_alloc&) {
+  return fail(ErrorCode::out_of_memory, "not enough memory for the connectivity");
+}
+
+}  // namespace clers::internal

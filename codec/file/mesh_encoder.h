@@ -1,0 +1,61 @@
+// A mesh -> the sections of it.
+#ifndef CLERS_CODEC_FILE_MESH_ENCODER_H
+#define CLERS_CODEC_FILE_MESH_ENCODER_H
+
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "codec/entropy/bytes.h"
+#include "codec/error.h"
+#include "codec/file/container.h"
+#include "codec/info.h"
+#include "codec/mesh.h"
+#include "codec/options.h"
+
+namespace clers::internal {
+
+struct EncodedSection {
+  SectionKind kind;
+  Bytes payload;
+
+  friend bool operator==(const EncodedSection&, const EncodedSection&) = default;
+};
+
+/// A mesh, or a piece of one, that will decode alone.
+struct EncodedMesh {
+  std::vector<EncodedSection> sections;
+  Permutation order;
+  MeshInfo info;
+};
+
+/// Refuses meshes whose arrays disagree, and those with faces that the options do not allow.
+Expected<Done> check(const Mesh& mesh, const EncodeOptions& options);
+
+/// Takes the stage of the work and the share of it that is done.
+using Progress = std::function<void(std::string_view stage, double share)>;
+
+struct CodedFaces {
+  std::vector<std::uint32_t> corners, sizes;
+};
+/// The faces as they are decoded, before they are put into the order of the file.
+CodedFaces in_coded_order(const Mesh& mesh, const Permutation& order);
+
+/// The order of the file, told along the decoded mesh.
+Bytes encode_order(const Mesh& mesh, const Permutation& order, const CodedFaces& coded);
+
+/// The attribute with its values in the order of the decoded mesh.
+Attribute in_coded_order(const Attribute& attribute, const Mesh& mesh, const Permutation& order);
+
+void set_identity(const Mesh& mesh, Permutation& order);
+
+/// Encodes in one piece. `progress` takes shares of this mesh. Threads are for its attributes.
+/// Precondition: check() has passed it. Errors: internal, limit.
+/// Throws std::bad_alloc only.
+Expected<EncodedMesh> encode_mesh(const Mesh& mesh, const EncodeOptions& options, unsigned threads,
+                                  const Progress& progress);
+
+}  // namespace clers::internal
+
+#endif

@@ -1,0 +1,377 @@
+#include "codec/file/mesh_reader.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string_view>
+
+#include "codec/base/utf8.h"
+
+namespace clers::internal {
+namespace {
+
+Failure<Error> over(std::uint64_t at, Limited limited, const char* what, std::uint64_t value,
+                    std::uint64_t limit) {
+  auto failure =
+      fail(ErrorCode::limit, Place::byte, at,
+           std::to_string(value) + " " + what + ", the limit is " + std::to_string(limit));
+  failure.error.limited = limited;
+  failure.error.needed = value;
+  return failure;
+}
+
+PieceSections::Stream read_stream(ByteReader& in) {
+  const std::uint64_t size = in.varint();
+  const std::uint64_t at = in.offset();
+  return {in.take(size), at};
+}
+
+/// Sizes of a mesh of plain faces.
+Expected<Done> read_plain(const Section& section, ByteReader& in, PieceSections& mesh) {
+  mesh.vertices = in.varint();
+  mesh.faces = in.varint();
+  mesh.corners = in.varint();
+  mesh.plain = {section.payload.subspan(in.position()), in.offset()};
+  if (!in.ok()) return Failure{in.error()};
+  const std::uint64_t most =
+      std::min(max_decisions_per_byte * mesh.plain.bytes.size(), max_corners);
+  if (mesh.vertices > 0xffffffffu || mesh.faces > most || mesh.corners > most)
+    return fail(ErrorCode::invalid, Place::byte, section.at,
+                std::to_string(mesh.faces) + " faces of " + std::to_string(mesh.corners) +
+                    " corners on " + std::to_string(mesh.vertices) +
+                    " vertices cannot be coded in " + std::to_string(mesh.plain.bytes.size()) +
+                    " bytes");
+  return Done{};
+}
+
+/// Sizes of a mesh that is a surface, as far as it is one.
+Expected<Done> read_surface(const Section& section, ByteReader& in, PieceSections& mesh) {
+  const auto invalid = [&](std::string what) {
+    return fail(ErrorCode::invalid, Place::byte, section.at, std::move(what));
+  };
+  if (mesh.features & ~feature::on_surface)
+    return invalid("unknown features " + std::to_string(mesh.features));
+  const std::uint64_t others = in.varint();
+  if (mesh.features & feature::reversed) {
+    mesh.turned_runs = in.varint();
+    mesh.turned = read_stream(in);
+  }
+  std::uint64_t polygons = 0;
+  if (mesh.features & feature::polygons) {
+    polygons = in.varint();
+    mesh.polygons = read_stream(in);
+  }
+  if (mesh.features & feature::copies) {
+    mesh.copies = in.varint();
+    mesh.stitches = read_stream(in);
+  }
+  if (mesh.features & feature::repeats) {
+    mesh.repeated_faces = in.varint();
+    mesh.repeated_corners = in.varint();
+    mesh.repeats = read_stream(in);
+  }
+  if (mesh.features & feature::folded) {
+    mesh.folded_faces = in.varint();
+    mesh.folded = read_stream(in);
+  }
+  if (mesh.features & feature::degenerate) {
+    mesh.loose_faces = in.varint();
+    mesh.loose_corners = in.varint();
+    mesh.loose = read_stream(in);
+  }
+  if (!in.ok()) return Failure{in.error()};
+  mesh.connectivity_bytes = section.payload.subspan(in.position());
+  mesh.connectivity_at = in.offset();
+  auto header = read_connectivity_header(mesh.connectivity_bytes, mesh.connectivity_at);
+  if (!header) return Failure{header.error()};
+  mesh.connectivity = *header;
+
+  mesh.surface_faces = header->faces;
+  if (mesh.features & feature::polygons) {
+    if (polygons == 0 || polygons >= header->faces)
+      return invalid(std::to_string(polygons) + " polygons cannot be made of " +
+                     std::to_string(header->faces) + " triangles");
+    mesh.surface_faces = polygons;
+  }
+  if (mesh.features & feature::reversed &&
+      (mesh.turned_runs == 0 || mesh.turned_runs > mesh.surface_faces))
+    return invalid(std::to_string(mesh.turned_runs) + " runs of turned faces among " +
+                   std::to_string(mesh.surface_faces));
+  if (mesh.features & feature::copies && (mesh.copies == 0 || mesh.copies >= header->vertices))
+    return invalid(std::to_string(mesh.copies) + " copies among " +
+                   std::to_string(header->vertices) + " vertices");
+  if (mesh.features & feature::repeats) {
+    const std::uint64_t most = max_decisions_per_byte * mesh.repeats.bytes.size();
+    if (mesh.repeated_faces == 0 || mesh.repeated_faces > most ||
+        mesh.repeated_corners / 3 < mesh.repeated_faces || mesh.repeated_corners > max_corners)
+      return invalid(std::to_string(mesh.repeated_faces) + " repeated faces of " +
+                     std::to_string(mesh.repeated_corners) + " corners cannot be coded in " +
+                     std::to_string(mesh.repeats.bytes.size()) + " bytes");
+  }
+  if (mesh.features & feature::folded &&
+      (mesh.folded_faces == 0 ||
+       mesh.folded_faces > max_decisions_per_byte * mesh.folded.bytes.size()))
+    return invalid(std::to_string(mesh.folded_faces) + " folded faces cannot be coded in " +
+                   std::to_string(mesh.folded.bytes.size()) + " bytes");
+  if (mesh.features & feature::degenerate) {
+    const std::uint64_t most = max_decisions_per_byte * mesh.loose.bytes.size();
+    if (mesh.loose_faces == 0 || mesh.loose_faces > most || mesh.loose_corners > most)
+      return invalid(std::to_string(mesh.loose_faces) + " loose faces of " +
+                     std::to_string(mesh.loose_corners) + " corners cannot be coded in " +
+                     std::to_string(mesh.loose.bytes.size()) + " bytes");
+  }
+  mesh.surface_vertices = header->vertices - mesh.copies;
+  if (others > 0xffffffffu - mesh.surface_vertices)
+    return invalid(std::to_string(others) + " further vertices are more than there are numbers");
+  mesh.vertices = mesh.surface_vertices + others;
+  mesh.faces = mesh.surface_faces + mesh.repeated_faces + mesh.folded_faces + mesh.loose_faces;
+  // A polygon of n corners is n - 2 triangles.
+  mesh.corners = header->faces + 2 * mesh.surface_faces + mesh.repeated_corners +
+                 3 * mesh.folded_faces + mesh.loose_corners;
+  if (mesh.corners > max_corners)
+    return invalid(std::to_string(mesh.corners) + " corners are more than there are numbers");
+  return Done{};
+}
+
+Expected<PieceSections> read_piece(const Section& section, const Limits& limits) {
+  PieceSections mesh;
+  mesh.payload_size = section.payload.size();
+  mesh.at = section.at;
+  ByteReader in(section.payload, section.at);
+  mesh.features = in.u8();
+  const auto ok = mesh.features == feature::raw ? read_plain(section, in, mesh)
+                                                : read_surface(section, in, mesh);
+  if (!ok) return Failure{ok.error()};
+  if (mesh.vertices > limits.vertices)
+    return over(section.at, Limited::vertices, "vertices", mesh.vertices, limits.vertices);
+  if (mesh.faces > limits.faces)
+    return over(section.at, Limited::faces, "faces", mesh.faces, limits.faces);
+  return mesh;
+}
+
+Expected<PieceSections::AttributeSection> read_attribute(const Section& section,
+                                                         const PieceSections& mesh) {
+  auto header = read_attribute_header(section.payload, section.at);
+  if (!header) return Failure{header.error()};
+  PieceSections::AttributeSection result{*header, section.payload, section.at, 0};
+  switch (header->attribute.domain) {
+    case Domain::vertex: result.count = mesh.vertices; break;
+    case Domain::corner: result.count = mesh.corners; break;
+    case Domain::face: result.count = mesh.faces; break;
+  }
+  if (auto ok = check_values(result.bytes, result.at, result.header, result.count); !ok)
+    return Failure{ok.error()};
+  return result;
+}
+
+/// How many vertices a piece shares with those before it.
+Expected<Done> read_seam(const Section& section, PieceSections& piece) {
+  ByteReader in(section.payload, section.at);
+  piece.seam_size = section.payload.size();
+  piece.shared = in.varint();
+  if (!in.ok()) return Failure{in.error()};
+  piece.seam = {section.payload.subspan(in.position()), in.offset()};
+  if (piece.shared == 0 || piece.shared > std::min(piece.vertices, piece.corners) ||
+      piece.shared > piece.first_vertex)
+    return fail(ErrorCode::invalid, Place::byte, section.at,
+                "a piece of " + std::to_string(piece.vertices) + " vertices after " +
+                    std::to_string(piece.first_vertex) + " cannot share " +
+                    std::to_string(piece.shared));
+  return Done{};
+}
+
+bool same_attributes(const PieceSections& a, const PieceSections& b) {
+  return std::equal(a.attributes.begin(), a.attributes.end(), b.attributes.begin(),
+                    b.attributes.end(), [](const auto& x, const auto& y) {
+                      const Attribute &p = x.header.attribute, &q = y.header.attribute;
+                      return p.name == q.name && p.domain == q.domain && p.scalar == q.scalar &&
+                             p.components == q.components;
+                    });
+}
+
+/// Takes the sections of a file one after the other.
+class MeshesReader {
+ public:
+  MeshesReader(const Limits& limits, std::uint64_t pieces_in_file)
+      : limits_(limits), pieces_left_(pieces_in_file) {}
+
+  Expected<Done> take(const Section& section) {
+    const bool any_piece = !meshes.empty() && !meshes.back().pieces.empty();
+    switch (section.kind) {
+      case SectionKind::pieces: return begin_pieces(section);
+      case SectionKind::mesh: return add_piece(section);
+      case SectionKind::end: return finish_mesh(section);
+      default: break;
+    }
+    if (!any_piece) return invalid(section, "expected a mesh first");
+    PieceSections& piece = meshes.back().pieces.back();
+    switch (section.kind) {
+      case SectionKind::seam:
+        if (meshes.back().pieces.size() == 1 || piece.shared > 0 || !piece.attributes.empty())
+          return invalid(section, "a seam where none can be");
+        return read_seam(section, piece);
+      case SectionKind::attribute: return add_attribute(section, piece);
+      case SectionKind::name:
+        if (pieces_to_come_ > 0) return invalid(section, "a name before the last piece");
+        return add_name(section, meshes.back());
+      default: break;
+    }
+    if (section.kind == SectionKind::metadata) return add_metadata(section);
+    MeshSections& mesh = meshes.back();  // an order
+    if (pieces_to_come_ > 0 || mesh.has_order ||
+        (mesh.pieces.size() == 1 && piece.features == feature::raw))
+      return invalid(section, "an order where none can be");
+    mesh.order = {section.payload, section.at};
+    mesh.has_order = true;
+    return Done{};
+  }
+
+  std::vector<MeshSections> meshes;
+
+ private:
+  static Failure<Error> invalid(const Section& section, std::string what) {
+    return fail(ErrorCode::invalid, Place::byte, section.at, std::move(what));
+  }
+
+  Expected<Done> begin_pieces(const Section& section) {
+    ByteReader in(section.payload, section.at);
+    const std::uint64_t pieces = in.varint();
+    if (!in.ok()) return Failure{in.error()};
+    if (pieces < 2 || in.left() > 0) return invalid(section, "no number of pieces, 2 at least");
+    if (auto ok = begin_mesh(section); !ok) return ok;
+    pieces_to_come_ = pieces;
+    meshes.back().pieces.reserve(static_cast<std::size_t>(std::min(pieces, pieces_left_)));
+    return Done{};
+  }
+
+  Expected<Done> begin_mesh(const Section& section) {
+    if (auto ok = finish_mesh(section); !ok) return ok;
+    if (meshes.size() >= limits_.meshes)
+      return over(section.at, Limited::meshes, "meshes or more", meshes.size() + 1, limits_.meshes);
+    meshes.emplace_back();
+    return Done{};
+  }
+
+  Expected<Done> add_piece(const Section& section) {
+    --pieces_left_;
+    if (pieces_to_come_ > 0) {
+      --pieces_to_come_;
+      if (auto ok = finish_piece(); !ok) return ok;
+    } else if (auto ok = begin_mesh(section); !ok) {
+      return ok;
+    }
+    auto piece = read_piece(section, limits_);
+    if (!piece) return Failure{piece.error()};
+    MeshSections& mesh = meshes.back();
+    piece->first_vertex = mesh.vertices;
+    piece->first_face = mesh.faces;
+    piece->first_corner = mesh.corners;
+    mesh.pieces.push_back(std::move(*piece));
+    return Done{};
+  }
+
+  /// Adds the latest piece, all of which is known now, to its mesh.
+  Expected<Done> finish_piece() {
+    MeshSections& mesh = meshes.back();
+    if (mesh.pieces.empty()) return Done{};
+    const PieceSections& piece = mesh.pieces.back();
+    const auto refuse = [&](const char* what) {
+      return fail(ErrorCode::invalid, Place::byte, piece.at, what);
+    };
+    if (!same_attributes(mesh.pieces.front(), piece))
+      return refuse("this piece does not have the attributes of the first one");
+    mesh.vertices += piece.vertices - piece.shared;
+    mesh.faces += piece.faces;
+    mesh.corners += piece.corners;
+    if (mesh.vertices > 0xffffffffu || mesh.corners > max_corners || mesh.faces > max_corners)
+      return refuse("up to this piece there are more elements than numbers for them");
+    if (mesh.vertices > limits_.vertices)
+      return over(piece.at, Limited::vertices, "vertices", mesh.vertices, limits_.vertices);
+    if (mesh.faces > limits_.faces)
+      return over(piece.at, Limited::faces, "faces", mesh.faces, limits_.faces);
+    return Done{};
+  }
+
+  /// Before another mesh, or the end of the file.
+  Expected<Done> finish_mesh(const Section& next) {
+    if (meshes.empty()) return Done{};
+    if (pieces_to_come_ > 0)
+      return invalid(next, "expected " + std::to_string(pieces_to_come_) + " more pieces");
+    if (auto ok = finish_piece(); !ok) return ok;
+    const MeshSections& mesh = meshes.back();
+    // A face takes a decision at least.
+    if (const auto& order = mesh.order;
+        mesh.has_order && mesh.faces > max_decisions_per_byte * order.bytes.size())
+      return fail(ErrorCode::invalid, Place::byte, order.at,
+                  "the order of " + std::to_string(mesh.faces) + " faces cannot be coded in " +
+                      std::to_string(order.bytes.size()) + " bytes");
+    return Done{};
+  }
+
+  Expected<Done> add_attribute(const Section& section, PieceSections& piece) {
+    auto attribute = read_attribute(section, piece);
+    if (!attribute) return Failure{attribute.error()};
+    piece.attributes.push_back(std::move(*attribute));
+    return Done{};
+  }
+
+  Expected<Done> add_name(const Section& section, MeshSections& mesh) {
+    const std::string_view name(reinterpret_cast<const char*>(section.payload.data()),
+                                section.payload.size());
+    if (mesh.has_name) return invalid(section, "a second name of a mesh");
+    if (const std::size_t i = first_not_utf8(name); i < name.size())
+      return fail(ErrorCode::invalid, Place::byte, section.at + i,
+                  "the name is not UTF-8 from here");
+    mesh.name = name;
+    mesh.has_name = true;
+    return Done{};
+  }
+
+  Expected<Done> add_metadata(const Section& section) {
+    MeshSections& mesh = meshes.back();
+    if (pieces_to_come_ > 0 || mesh.metadata) return invalid(section, "metadata where none can be");
+    auto header = read_metadata_header(section.payload, section.at);
+    if (!header) return Failure{header.error()};
+    mesh.metadata = *header;
+    return Done{};
+  }
+
+  const Limits& limits_;
+  std::uint64_t pieces_left_;         ///< in the file
+  std::uint64_t pieces_to_come_ = 0;  ///< of the latest mesh
+};
+
+/// What sections become: a mesh or a piece each, and lists of attributes that grow by doubling.
+std::uint64_t tables_memory(const ContainerReader::Tally& tally) {
+  const std::uint64_t pieces = tally.count(SectionKind::mesh),
+                      attributes = tally.count(SectionKind::attribute);
+  return pieces * (sizeof(PieceSections) + 3 * sizeof(MeshSections)) +
+         attributes * 3 * sizeof(PieceSections::AttributeSection) +
+         std::min(tally.size(SectionKind::attribute), 256 * attributes) +  // names
+         2 * tally.size(SectionKind::name);  // here, and in the result
+}
+
+}  // namespace
+
+Expected<std::vector<MeshSections>> read_meshes(ContainerReader& file, const Limits& limits,
+                                                Budget& budget) {
+  if (auto ok = file.open(); !ok) return Failure{ok.error()};
+  const ContainerReader::Tally tally = file.tally();
+  if (auto ok = budget.take(tables_memory(tally)); !ok) return Failure{ok.error()};
+  MeshesReader reader(limits, tally.count(SectionKind::mesh));
+  for (bool more = true; more;) {
+    auto section = file.next();
+    if (!section) return Failure{section.error()};
+    if (auto ok = reader.take(*section); !ok) return Failure{ok.error()};
+    more = section->kind != SectionKind::end;
+  }
+  if (file.meshes() != reader.meshes.size())
+    return fail(ErrorCode::invalid, std::to_string(reader.meshes.size()) +
+                                        " meshes, but the file says " +
+                                        std::to_string(file.meshes()));
+  for (const MeshSections& mesh : reader.meshes)
+    if (mesh.metadata)
+      if (auto ok = budget.take(mesh.metadata->memory()); !ok) return Failure{ok.error()};
+  return std::move(reader.meshes);
+}
+
+}  // namespace clers::internal

@@ -1,0 +1,41 @@
+// What a mesh's file said besides the mesh <-> bytes.
+#ifndef CLERS_CODEC_FILE_METADATA_H
+#define CLERS_CODEC_FILE_METADATA_H
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "codec/entropy/bytes.h"
+#include "codec/error.h"
+#include "codec/mesh.h"
+
+namespace clers::internal {
+
+/// What stands before the entries.
+struct MetadataHeader {
+  std::uint64_t entries = 0, size = 0;  ///< how many, and the bytes they take unpacked
+  std::span<const std::byte> packed;
+  std::uint64_t payload_size = 0;  ///< of the section
+  std::uint64_t at = 0;            ///< offset of the packed bytes in the file
+
+  /// What decoding allocates, at most.
+  std::uint64_t memory() const { return entries * sizeof(MetadataEntry) + 2 * size; }
+};
+
+/// Checks that the entries can come from so many bytes.
+Expected<MetadataHeader> read_metadata_header(std::span<const std::byte> payload, std::uint64_t at);
+
+/// The caller has checked header.memory() against its limits.
+Expected<std::vector<MetadataEntry>> decode_metadata(const MetadataHeader& header);
+
+/// What keeps entries from being coded; empty if nothing does.
+std::string metadata_fault(std::span<const MetadataEntry> entries);
+
+/// Precondition: no objection. Throws std::bad_alloc; zstd failing is internal.
+Expected<Bytes> encode_metadata(std::span<const MetadataEntry> entries);
+
+}  // namespace clers::internal
+
+#endif

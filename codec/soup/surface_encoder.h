@@ -1,0 +1,48 @@
+// Faces that are not degenerate -> the bytes of the surface that they make.
+#ifndef CLERS_CODEC_SOUP_SURFACE_ENCODER_H
+#define CLERS_CODEC_SOUP_SURFACE_ENCODER_H
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "codec/connectivity/connectivity.h"
+#include "codec/entropy/bytes.h"
+#include "codec/error.h"
+#include "codec/order.h"
+#include "codec/soup/faces.h"
+#include "codec/soup/reversed_faces.h"
+
+namespace clers::internal {
+
+/// A coded surface, and how it numbers what it is made of.
+struct EncodedSurface {
+  std::uint32_t features = 0;
+  std::uint64_t copies = 0, turned_faces = 0;
+  std::uint64_t repeated_faces = 0, repeated_corners = 0;
+  std::vector<ReversedRun> runs;              ///< of turned faces
+  Bytes turned, polygons, stitches, repeats;  ///< streams, where there are any
+  Bytes connectivity;
+  ConnectivityCounts counts;
+  bool given_up = false;                 ///< nothing else holds
+  Permutation order;                     ///< vertices: only those that the surface has
+  std::vector<std::uint32_t> triangles;  ///< of the surface, by new vertices of the mesh, all
+                                         ///< running one way; left out if nobody wants them
+};
+
+/// Encodes faces: those that repeat others as references, and the rest cut where it is no oriented
+/// manifold. Cuts, and which face another one repeats, depend on the order of the faces. Asks
+/// whether to give up where most sides lie on defective edges (adjacency.h), so that little of the
+/// faces is a surface.
+/// Precondition: every face has three corners or more, repeats no vertex, and vertices are below
+/// vertex_count. Errors: out_of_memory. Throws std::bad_alloc. Cost: linear, O(log n) for each
+/// handle, and sorts of the faces at edges that are not manifold.
+Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
+                                        std::span<const std::uint32_t> sizes,
+                                        std::uint32_t vertex_count, int level, bool with_triangles,
+                                        const std::function<bool()>& give_up);
+
+}  // namespace clers::internal
+
+#endif
