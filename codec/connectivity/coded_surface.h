@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "topology/ids.h"
 
@@ -35,6 +36,15 @@ struct CodedSurface {
   std::span<const std::uint32_t> vertex_of;
 
   std::uint32_t in_mesh(std::uint32_t v) const { return vertex_of.empty() ? v : vertex_of[v]; }
+};
+
+/// The memory of one.
+struct CodedArrays {
+  std::vector<std::uint32_t> corners;
+  std::vector<HalfEdge> twins;
+  std::vector<std::uint32_t> introduced_by, vertex_of;
+
+  CodedSurface view() const { return {corners, twins, introduced_by, vertex_of}; }
 };
 
 }  // namespace clers::internal

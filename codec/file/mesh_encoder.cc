@@ -109,18 +109,23 @@ class MeshEncoder {
   Expected<Done> run(unsigned threads, const Progress& progress) {
     progress("connectivity", 0.0);
     set_loose_aside();
-    auto coded = encode_surface(corners_, sizes_, mesh_.vertex_count, options_.level,
-                                !mesh_.attributes.empty() || !loose_.empty(),
-                                [&] { return plain_bytes() < 3 * mesh_.face_count() / 2; });
+    auto coded = encode_surface(
+        corners_, sizes_, mesh_.vertex_count, options_.level,
+        mesh_.attributes.empty() && loose_.empty() ? Wanted::nothing : Wanted::surface,
+        [&] { return plain_bytes() < 3 * mesh_.face_count() / 2; });
     if (!coded) return Failure{coded.error()};
     Bytes payload, kept_order;
+    std::vector<std::uint32_t> triangles;  // of the surface, by new vertices of the mesh
     std::optional<Bytes> plain;
     const bool keep = options_.order == Order::keep;
     if (coded->given_up) {
       plain = plain_payload(mesh_.face_count());
     } else {
       number(*coded);
-      const Bytes loose = code_loose(coded->triangles);
+      triangles = std::move(coded->surface.corners);
+      if (const auto& vertex_of = coded->surface.vertex_of; !vertex_of.empty())
+        for (std::uint32_t& v : triangles) v = vertex_of[v];
+      const Bytes loose = code_loose(triangles);
       payload = surface_payload(*coded, loose);
       if (keep) {
         progress("order", 0.3);
@@ -129,7 +134,6 @@ class MeshEncoder {
       if (keep || coded->copies > 0) plain = plain_if_smaller(payload.size() + kept_order.size());
     }
     describe(*coded);
-    std::vector<std::uint32_t> triangles = std::move(coded->triangles);
     if (plain) {
       payload = std::move(*plain);
       kept_order.clear();

@@ -17,6 +17,7 @@ namespace {
 /// A surface by its faces, as it is or as it was cut.
 struct SurfaceFaces {
   const Faces& faces;
+  std::span<const std::uint32_t> sizes;  ///< empty: triangles
   std::span<HalfEdge> twins;
   std::uint32_t vertex_count;
   const CutSurface* cut = nullptr;
@@ -55,13 +56,13 @@ void put_reversed(const Faces& faces, std::span<const std::uint32_t> reversed,
   stream.finish(out.turned);
 }
 
-void put_sizes(const Faces& faces, std::span<const std::uint32_t> gates, EncodedSurface& out) {
+void put_sizes(const Faces& faces, EncodedSurface& out) {
   rans::Encoder stream;
   EncodeTo coder(stream);
   SizeModel model;
   bool polygons = false;
-  for (const std::uint32_t gate : gates) {
-    const std::uint32_t size = faces.size(faces.face(gate));
+  for (const std::uint32_t f : out.order.faces) {
+    const std::uint32_t size = faces.size(f);
     model.code(coder, size);
     polygons |= size > 3;
   }
@@ -88,24 +89,20 @@ void put_stitches(const SurfaceFaces& surface, std::span<const std::uint32_t> ve
   }
   rans::Encoder stream;
   EncodeTo coder(stream);
-  Stitching(out.triangles, count, static_cast<std::uint32_t>(out.copies)).code(coder, classes);
+  Stitching(out.surface.corners, count, static_cast<std::uint32_t>(out.copies))
+      .code(coder, classes);
   stream.finish(out.stitches);
   const std::uint32_t points = number_classes(classes);
   out.order.vertices.resize(points);
   for (std::uint32_t n = count; n-- > 0;) out.order.vertices[classes[n]] = point(vertices[n]);
-  for (std::uint32_t& v : out.triangles) v = classes[v];
+  out.surface.vertex_of = std::move(classes);
 }
 
-Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, bool with_triangles) {
+Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, Wanted wanted) {
   EncodedSurface out;
   const Faces& faces = surface.faces;
-  Triangulation fans;
-  SurfaceArrays arrays{faces.org, surface.twins, surface.vertex_count};
-  if (!faces.triangles()) {
-    fans = triangulate(faces, surface.twins, surface.vertex_count);
-    arrays = {fans.corners, fans.twins, surface.vertex_count};
-  }
-  auto coded = encode_connectivity(arrays, level);
+  const SurfaceArrays arrays{faces.org, surface.twins, surface.vertex_count, surface.sizes};
+  auto coded = encode_connectivity(arrays, level, wanted == Wanted::surface_with_twins);
   if (!coded) return Failure{coded.error()};
 
   std::vector<std::uint32_t>& order = out.order.faces;
@@ -118,26 +115,18 @@ Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, bo
       first_corners[i] = corner(coded->gates[i]);
     }
   } else {
-    for (std::uint32_t t = 0; t < coded->gates.size(); ++t)
-      if (coded->gates[t] != half_edge(Face(t), 0))
-        return fail(ErrorCode::internal, "the walk over polygons is not that over their triangles");
+    const HalfEdge* gate = coded->gates.data();
     for (std::uint32_t i = 0; i < order.size(); ++i) {
-      order[i] = faces.face(fans.gates[i]);
-      first_corners[i] = fans.gates[i] - faces.begin(order[i]);
+      order[i] = faces.face(gate->index());
+      first_corners[i] = gate->index() - faces.begin(order[i]);
+      gate += faces.size(order[i]) - 2;
     }
   }
   if (surface.cut) put_reversed(faces, surface.cut->reversed, out);
-  if (!faces.triangles()) put_sizes(faces, fans.gates, out);
+  if (!faces.triangles()) put_sizes(faces, out);
 
   const bool copies = surface.cut && !surface.cut->copied.empty();
-  if (with_triangles || copies) {
-    std::vector<std::uint32_t> number(surface.vertex_count);
-    for (std::uint32_t i = 0; i < coded->vertices.size(); ++i) number[coded->vertices[i]] = i;
-    out.triangles.reserve(arrays.org.size());
-    for (HalfEdge h : coded->gates)
-      for (unsigned side = 0; side < 3; ++side, h = lnext(h))
-        out.triangles.push_back(number[arrays.org[h.index()]]);
-  }
+  if (wanted != Wanted::nothing || copies) out.surface = coded_surface(arrays, *coded);
   if (copies)
     put_stitches(surface, coded->vertices, out);
   else
@@ -151,17 +140,17 @@ Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, bo
 /// unbuilt, and costs nothing till then; if it shows, or is likely to, all vertices are looked at.
 Expected<EncodedSurface> encode_distinct(const Faces& faces, std::span<const std::uint32_t> sizes,
                                          Adjacency adjacency, std::uint32_t vertex_count, int level,
-                                         bool with_triangles) {
+                                         Wanted wanted) {
   const auto encode_cut = [&](Adjacency edges, Fans fans) {
     CutSurface surface = cut(faces, vertex_count, std::move(edges), fans);
     return encode_faces(
-        {Faces(surface.corners, sizes), surface.twins,
+        {Faces(surface.corners, sizes), sizes, surface.twins,
          vertex_count + static_cast<std::uint32_t>(surface.copied.size()), &surface},
-        level, with_triangles);
+        level, wanted);
   };
   const bool likely = adjacency.sides.size() > faces.count() / 64;
   auto coded = adjacency.ends.empty()
-                   ? encode_faces({faces, adjacency.twins, vertex_count}, level, with_triangles)
+                   ? encode_faces({faces, sizes, adjacency.twins, vertex_count}, level, wanted)
                    : encode_cut(std::move(adjacency), likely ? Fans::all : Fans::at_defects);
   if (coded || coded.error().code != ErrorCode::nonmanifold_vertex) return coded;
   return encode_cut(match_edges(faces, vertex_count), Fans::all);
@@ -213,7 +202,7 @@ void put_repeats(const Faces& all, std::span<const Repeat> repeats, EncodedSurfa
 
 Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
                                         std::span<const std::uint32_t> sizes,
-                                        std::uint32_t vertex_count, int level, bool with_triangles,
+                                        std::uint32_t vertex_count, int level, Wanted wanted,
                                         const std::function<bool()>& give_up) {
   const Faces all(corners, sizes);
   Adjacency adjacency = match_edges(all, vertex_count);
@@ -230,14 +219,14 @@ Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
   nothing.given_up = true;
   if (repeats.empty()) {
     if (shall_give_up(adjacency)) return nothing;
-    return encode_distinct(all, sizes, std::move(adjacency), vertex_count, level, with_triangles);
+    return encode_distinct(all, sizes, std::move(adjacency), vertex_count, level, wanted);
   }
   const DistinctFaces distinct(all, repeats);
   const Faces faces(distinct.corners, distinct.sizes);
   adjacency = distinct.adjacency(all, std::move(adjacency));
   if (shall_give_up(adjacency)) return nothing;
-  auto coded = encode_distinct(faces, distinct.sizes, std::move(adjacency), vertex_count, level,
-                               with_triangles);
+  auto coded =
+      encode_distinct(faces, distinct.sizes, std::move(adjacency), vertex_count, level, wanted);
   if (!coded) return coded;
   for (std::uint32_t& f : coded->order.faces) f = distinct.faces[f];
   put_repeats(all, repeats, *coded);
