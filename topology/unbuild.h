@@ -31,14 +31,15 @@ class TriangleFaces {
 
   TriangleFaces(std::span<HalfEdge> twins, std::span<const std::uint32_t>) : twins_(twins) {}
 
-  std::uint32_t triangles() const { return static_cast<std::uint32_t>(twins_.size() / 3); }
+  std::uint32_t faces() const { return static_cast<std::uint32_t>(twins_.size() / 3); }
+  std::uint32_t triangles() const { return faces(); }
   std::uint32_t size(std::uint32_t) const { return 3; }
   HalfEdge next(HalfEdge h) const { return lnext(h); }
   HalfEdge prev(HalfEdge h) const { return lprev(h); }
   bool is_triangle(HalfEdge) const { return true; }
 
-  void cut_ear(HalfEdge, std::uint32_t) {}
-  void destroy(HalfEdge gate, std::uint32_t i) {
+  void cut_ear(HalfEdge, HalfEdge, HalfEdge, std::uint32_t) {}
+  void destroy(HalfEdge gate, HalfEdge, HalfEdge, std::uint32_t i) {
     const HalfEdge first = half_edge(left(gate), 0);
     twins_[first.index()] = destroyed_mark;
     twins_[first.index() + 1] = half_edge(Face(i), corner(gate));
@@ -77,6 +78,7 @@ class PolygonFaces {
     }
   }
 
+  std::uint32_t faces() const { return static_cast<std::uint32_t>(sizes_.size()); }
   std::uint32_t triangles() const {
     return static_cast<std::uint32_t>(links_.size() - 2 * sizes_.size());
   }
@@ -87,17 +89,15 @@ class PolygonFaces {
   bool is_triangle(HalfEdge gate) const { return prev(prev(gate)) == next(gate); }
 
   /// The i-th triangle goes, the rest of the face stays.
-  void cut_ear(HalfEdge gate, std::uint32_t i) {
-    const auto [fan, apex] = links_[gate.index()];
-    links_[apex.index()].next = fan;
-    links_[fan.index()].prev = apex;
+  void cut_ear(HalfEdge gate, HalfEdge right, HalfEdge left, std::uint32_t i) {
+    links_[left.index()].next = right;
+    links_[right.index()].prev = left;
     links_[gate.index()] = gone(i, 0);
   }
-  void destroy(HalfEdge gate, std::uint32_t i) {
-    const auto [right, apex] = links_[gate.index()];
+  void destroy(HalfEdge gate, HalfEdge right, HalfEdge left, std::uint32_t i) {
     links_[gate.index()] = gone(i, 0);
     links_[right.index()] = gone(i, 1);
-    links_[apex.index()] = gone(i, 2);
+    links_[left.index()] = gone(i, 2);
   }
   bool is_destroyed(HalfEdge h) const { return !next(h); }
   HalfEdge detached_side(HalfEdge h) const {
@@ -141,6 +141,7 @@ class Unbuilding {
   HalfEdge next(HalfEdge h) const { return faces_.next(h); }
   HalfEdge prev(HalfEdge h) const { return faces_.prev(h); }
   bool is_triangle(HalfEdge gate) const { return faces_.is_triangle(gate); }
+  std::uint32_t faces() const { return faces_.faces(); }
   std::uint32_t triangles() const { return faces_.triangles(); }
   std::uint32_t size(std::uint32_t face) const { return faces_.size(face); }
 
@@ -167,12 +168,12 @@ class Unbuilding {
     if (!is_boundary(left_side)) unglue(left_side, 2);
     if (!is_triangle(gate)) {
       witness_->cut_ear(gate, left_side);
-      faces_.cut_ear(gate, i);
+      faces_.cut_ear(gate, right_side, left_side, i);
       return;
     }
     if (!is_boundary(right_side)) unglue(right_side, 1);
     witness_->destroy(gate, right_side, left_side);
-    faces_.destroy(gate, i);
+    faces_.destroy(gate, right_side, left_side, i);
   }
 
  private:

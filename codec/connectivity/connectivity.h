@@ -34,9 +34,7 @@ constexpr std::array<std::uint64_t, 5> in_word_order(const std::array<std::uint6
 
 struct EncodedConnectivity {
   std::vector<std::byte> bytes;
-  /// For each triangle in coded order: the half-edge that comes first. A polygon of n corners is
-  /// n - 2 triangles, the first of them at a half-edge of it; they follow each other.
-  std::vector<HalfEdge> gates;
+  std::vector<HalfEdge> gates;  ///< for each face in coded order: its half-edge that comes first
   std::vector<std::uint32_t> vertices;  ///< vertices[new] = old
   std::vector<HalfEdge> twins;          ///< of the triangles in coded order, if they are wanted
   ConnectivityCounts counts;

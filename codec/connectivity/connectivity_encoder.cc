@@ -283,7 +283,7 @@ constexpr bool bookkeeping = false;
 
 std::vector<std::uint32_t> triangle_corners(const SurfaceArrays& surface,
                                             std::span<const HalfEdge> gates) {
-  std::vector<std::uint32_t> corners(3 * gates.size());
+  std::vector<std::uint32_t> corners(3 * std::size_t(triangles_of(surface)));
   std::uint32_t* out = corners.data();
   const auto put = [&](HalfEdge a, HalfEdge b, HalfEdge v) {
     for (const HalfEdge h : {a, b, v}) *out++ = surface.org[h.index()];
@@ -293,10 +293,9 @@ std::vector<std::uint32_t> triangle_corners(const SurfaceArrays& surface,
     return corners;
   }
   const PolygonFaces faces(surface.twins, surface.sizes);
-  for (std::size_t i = 0; i < gates.size();) {
-    HalfEdge a = gates[i];
+  for (HalfEdge a : gates) {
     const HalfEdge b = faces.next(a);
-    for (HalfEdge v = faces.prev(a); v != b; v = faces.prev(v), ++i) {
+    for (HalfEdge v = faces.prev(a); v != b; v = faces.prev(v)) {
       put(a, b, v);
       a = v;
     }

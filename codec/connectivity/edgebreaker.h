@@ -33,10 +33,10 @@ struct Traversal {
   /// An S that does not part the surface: a hole, or an end of a handle. What it is called is what
   /// it does in the decoder's order: the end of a handle that comes later here is the `split`.
   struct Special {
-    std::uint32_t index;  ///< of the S in `gates`
+    std::uint32_t index;  ///< of the S among the triangles
     HalfEdge left;        ///< the boundary edge that its left side is glued to
-    HalfEdge visited;     ///< not of holes: the same edge as a side of a triangle in `gates`,
-                          ///< counted from its gate
+    HalfEdge visited;     ///< not of holes: the same edge as a side of a triangle in the order of
+                          ///< the walk; side 0 is its gate
     SpecialS kind;        ///< of ends of handles Edgebreaker does not know which: place_handles.h
     /// hole: its edges. split: edges back from the gate. join: edges back from the vertex of the
     /// split.
@@ -45,7 +45,7 @@ struct Traversal {
     std::uint32_t recency = 0;  ///< join: how many curves wait that were split off later
   };
   struct Start {
-    std::uint32_t index;  ///< of the component's first triangle in `gates`
+    std::uint32_t index;  ///< of the component's first triangle
     bool closed;          ///< it was opened by ungluing the gate's edge
   };
   enum class Trouble : std::uint8_t {
@@ -53,9 +53,7 @@ struct Traversal {
     several_fans,  ///< the faces of some vertex form more than one
   };
 
-  /// The gate of each triangle, which is a half-edge of it; or a diagonal, which has the name of
-  /// the half-edge before it.
-  std::vector<HalfEdge> gates;
+  std::vector<HalfEdge> gates;         ///< through which each face was entered: a half-edge of it
   std::vector<std::uint8_t> contexts;  ///< in the order of decoding: valence of the pivot << 3 |
                                        ///< symbol. Valences, up to max_valence, if asked for
   static constexpr std::uint32_t max_valence = 15;
@@ -94,7 +92,7 @@ class Edgebreaker {
         unbuilding_(surface.twins, surface.sizes, witness),
         triangles_(unbuilding_.triangles()),
         vertices_(surface.vertex_count) {
-    result_.gates.resize(triangles_);
+    result_.gates.resize(unbuilding_.faces());
     result_.contexts.resize(triangles_ + std::size_t(1));  // the first gate has no symbol before it
     result_.vertices.resize(surface.vertex_count);
     if constexpr (valences)
@@ -201,15 +199,17 @@ class Edgebreaker {
     HalfEdge* const gates = result_.gates.data();
     std::uint32_t* const numbers = result_.vertices.data();
     std::uint8_t* const contexts_end = result_.contexts.data() + triangles_;
-    std::uint32_t count = count_, numbered = numbered_;
+    std::uint32_t count = count_, entered = entered_, numbered = numbered_;
+    bool enters = true;  // the gate is one of a face that is whole
     Clers symbol = last_;
     for (;;) {
       const HalfEdge right_side = surface.next(gate), left_side = surface.prev(gate);
+      if (enters) gates[entered++] = gate;
+      enters = surface.is_triangle(gate);
       // Beyond a diagonal is what is left of the face.
-      const HalfEdge right = surface.is_triangle(gate) ? surface.sym(right_side) : left_side;
+      const HalfEdge right = enters ? surface.sym(right_side) : left_side;
       const HalfEdge left_gate = surface.sym(left_side);
       const std::uint32_t v = org[left_side.index()];
-      gates[count] = gate;
       // The symbol before is the one that a decoder will meet at this gate.
       std::uint32_t valence = 0;
       if constexpr (valences) {
@@ -245,6 +245,7 @@ class Edgebreaker {
         for (;;) {
           if (aside_.empty()) {
             count_ = count;
+            entered_ = entered;
             numbered_ = numbered;
             last_ = symbol;
             number_holes(inside);
@@ -344,8 +345,8 @@ class Edgebreaker {
   std::vector<VertexState> vertices_;
   std::vector<Aside> aside_;
   std::vector<std::uint32_t> hole_vertices_;  ///< of this component, in the order of their numbers
-  std::uint32_t count_ = 0, numbered_ = 0;
-  Clers last_ = Clers::E;  ///< symbol
+  std::uint32_t count_ = 0, entered_ = 0, numbered_ = 0;  ///< triangles, faces, vertices
+  Clers last_ = Clers::E;                                 ///< symbol
   Traversal result_;
 };
 

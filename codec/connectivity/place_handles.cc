@@ -23,7 +23,7 @@ class PlacingSource {
       : traversal_(traversal),
         building_(building),
         curves_(building.links.data(), building.links.size()),
-        faces_(static_cast<std::uint32_t>(traversal.gates.size())),
+        faces_(static_cast<std::uint32_t>(traversal.contexts.size())),
         index_(faces_),
         next_start_(traversal.starts.size()),
         next_special_(traversal.specials.size()) {}
@@ -103,7 +103,7 @@ class PlacingSource {
 
 template <bool valences>
 bool build_again(Traversal& traversal) {
-  const std::uint32_t faces = static_cast<std::uint32_t>(traversal.gates.size());
+  const std::uint32_t faces = static_cast<std::uint32_t>(traversal.contexts.size());
   std::size_t ids = 0;
   for (const std::uint8_t c : traversal.contexts) {
     const Clers symbol = static_cast<Clers>(c & 7);

@@ -58,6 +58,7 @@ void put_reversed(const Faces& faces, std::span<const std::uint32_t> reversed,
 
 void put_sizes(const Faces& faces, EncodedSurface& out) {
   rans::Encoder stream;
+  stream.reserve(3 * out.order.faces.size());
   EncodeTo coder(stream);
   SizeModel model;
   bool polygons = false;
@@ -115,11 +116,10 @@ Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, Wa
       first_corners[i] = corner(coded->gates[i]);
     }
   } else {
-    const HalfEdge* gate = coded->gates.data();
     for (std::uint32_t i = 0; i < order.size(); ++i) {
-      order[i] = faces.face(gate->index());
-      first_corners[i] = gate->index() - faces.begin(order[i]);
-      gate += faces.size(order[i]) - 2;
+      const std::uint32_t gate = coded->gates[i].index();
+      order[i] = faces.face(gate);
+      first_corners[i] = gate - faces.begin(order[i]);
     }
   }
   if (surface.cut) put_reversed(faces, surface.cut->reversed, out);
