@@ -25,6 +25,7 @@ namespace clers {
 /// Triangles: what follows is arithmetic (ids.h).
 class TriangleFaces {
  public:
+  static constexpr bool only_triangles = true;
   /// A destroyed face keeps this in place of the twin of its first half-edge, and a note in place
   /// of that of the next.
   static constexpr HalfEdge destroyed_mark = HalfEdge(HalfEdge::null_index - 1);
@@ -65,6 +66,7 @@ class TriangleFaces {
 ///       a =gate=> b --'
 class PolygonFaces {
  public:
+  static constexpr bool only_triangles = false;
   /// Precondition: sizes of at least 3 that add up to the number of twins.
   PolygonFaces(std::span<HalfEdge> twins, std::span<const std::uint32_t> sizes)
       : sizes_(sizes), links_(twins.size()) {

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 #include "codec/symbols/symbol.h"
@@ -83,7 +82,7 @@ struct Traversal {
 /// entered, so valences are not to be had of polygons here.
 template <class Faces, class Witness, bool valences>
 class Edgebreaker {
-  static_assert(!valences || std::is_same_v<Faces, TriangleFaces>);
+  static_assert(!valences || Faces::only_triangles);
 
  public:
   Edgebreaker(SurfaceArrays surface, Witness& witness)
@@ -204,7 +203,7 @@ class Edgebreaker {
     Clers symbol = last_;
     for (;;) {
       const HalfEdge right_side = surface.next(gate), left_side = surface.prev(gate);
-      if (enters) gates[entered++] = gate;
+      if (enters) gates[Faces::only_triangles ? count : entered++] = gate;
       enters = surface.is_triangle(gate);
       // Beyond a diagonal is what is left of the face.
       const HalfEdge right = enters ? surface.sym(right_side) : left_side;
