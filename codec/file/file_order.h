@@ -13,9 +13,9 @@
 #include <type_traits>
 #include <vector>
 
+#include "codec/base/faces.h"
 #include "codec/entropy/coder.h"
 #include "codec/soup/edges.h"
-#include "codec/soup/faces.h"
 
 namespace clers::internal {
 

@@ -19,7 +19,7 @@ namespace clers::internal {
 struct DecodedPiece {
   Mesh mesh;
   ConnectivityCounts counts;
-  std::uint64_t turned_faces = 0;
+  std::uint64_t reversed_faces = 0;
 };
 
 enum class Values : bool { skip, decode };

@@ -4,10 +4,10 @@
 #include <numeric>
 #include <utility>
 
+#include "codec/base/faces.h"
 #include "codec/base/parallel.h"
 #include "codec/pieces/bisection.h"
 #include "codec/pieces/cells.h"
-#include "codec/soup/faces.h"
 
 namespace clers::internal {
 namespace {

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "codec/base/faces.h"
 #include "codec/error.h"
-#include "codec/soup/faces.h"
 #include "topology/ids.h"
 
 namespace clers::internal {

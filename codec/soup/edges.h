@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "codec/soup/faces.h"
+#include "codec/base/faces.h"
 
 namespace clers::internal {
 

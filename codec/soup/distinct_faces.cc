@@ -1,4 +1,4 @@
-#include "codec/soup/repeated_faces.h"
+#include "codec/soup/distinct_faces.h"
 
 #include <algorithm>
 #include <span>
