@@ -23,7 +23,7 @@ void add_attributes(const PieceSections& piece, MeshInfo& mesh) {
     const Attribute& what = a.header.attribute;
     if (first)
       mesh.attributes.push_back({what.name, what.domain, what.scalar, what.components, 0, 0});
-    mesh.attributes[i].count += a.count - (what.domain == Domain::vertex ? piece.shared : 0);
+    mesh.attributes[i].count += a.count - (what.domain == Domain::vertex ? piece.seam.shared : 0);
     mesh.attributes[i].bytes += a.bytes.size();
     const bool position =
         !position_seen && what.domain == Domain::vertex && what.name == position_name;

@@ -1,7 +1,8 @@
-// The order that vertices, faces and first corners had in the input, where it is kept.
+// The order that vertices, faces and first corners had in the input, where it is kept: a stream,
+// and the section of it. Knows the faces of a decoded mesh. codec/format.md, Order.
 //
-// Faces of a file mostly follow their neighbours, so the order is told as a walk over the decoded
-// mesh: across which side of a face before the next one lies, and with which corner it begins. Its
+// Faces of a file mostly follow their neighbours, so the order is coded as a walk over the decoded
+// mesh: across which side of a face before the next one is, and with which corner it begins. Its
 // new vertices mostly have the next number, or one that continues a grid.
 #ifndef CLERS_CODEC_FILE_FILE_ORDER_H
 #define CLERS_CODEC_FILE_FILE_ORDER_H
@@ -10,11 +11,14 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <type_traits>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "codec/base/faces.h"
-#include "codec/entropy/coder.h"
+#include "codec/entropy/stream.h"
+#include "codec/file/permutation.h"
+#include "codec/order.h"
 #include "codec/soup/edges.h"
 
 namespace clers::internal {
@@ -49,11 +53,10 @@ class FileOrderCoder {
            std::max(edges_memory(corners, vertices), each * vertices);
   }
 
-  /// A Coder that encodes is told the order; one that decodes fills it in. False: what was decoded
-  /// is no order.
+  /// A coder that decodes fills in the order. False: what was decoded is no order.
   template <class Coder>
   bool code(Coder& coder, FileOrder& order) {
-    constexpr bool decoding = std::is_same_v<Coder, DecodeFrom>;
+    constexpr bool decoding = !Coder::encodes;
     const std::uint32_t count = faces_.count();
     if constexpr (decoding) {
       order.faces.assign(count, unknown);
@@ -217,6 +220,55 @@ class FileOrderCoder {
   NumberModel far_face_, far_vertex_;
   BitModel number_[4][3];
 };
+
+/// The order of the input, where `order` is that of the coded mesh. `faces`: of the input.
+inline Bytes encode_order(const Cycles& faces, const Permutation& order) {
+  FileOrder file;
+  file.vertices = order.vertices;
+  file.faces = inverse(order.faces);
+  file.first_corners.resize(order.faces.size());
+  for (std::uint32_t i = 0; i < order.faces.size(); ++i) {
+    const std::uint32_t f = order.faces[i], first = order.first_corners[i];
+    file.first_corners[f] = first == 0 ? 0 : faces.size(f) - first;
+  }
+  const PermutedFaces coded = permuted(faces, order);
+  return encode_stream([&](EncodeTo& coder) {
+    FileOrderCoder({coded.corners, coded.sizes}, static_cast<std::uint32_t>(order.vertices.size()))
+        .code(coder, file);
+  });
+}
+
+/// Brings a decoded mesh into the order of the input, values too. Error: invalid.
+inline Expected<Done> restore_order(const Stream& stream, Mesh& mesh) {
+  const Faces faces(mesh.corners, mesh.face_sizes);
+  FileOrder file;
+  auto ok = decode_stream(stream, "the orders", [&](DecodeFrom& coder) {
+    return FileOrderCoder(faces, mesh.vertex_count).code(coder, file)
+               ? std::string()
+               : "the order names a face or a vertex twice, or none";
+  });
+  if (!ok) return ok;
+  const Permutation order{inverse(std::exchange(file.vertices, {})), std::move(file.faces),
+                          std::move(file.first_corners)};
+  PermutedFaces restored = permuted(faces, order);
+  for (Attribute& a : mesh.attributes) a.data = permuted_values(a, faces, order);
+  mesh.corners = std::move(restored.corners);
+  mesh.face_sizes = std::move(restored.sizes);
+  return ok;
+}
+
+/// Bytes that restore_order takes besides the mesh; `sizes`: has it any? `values`: the most that an
+/// attribute of it takes.
+inline std::uint64_t restoring_memory(std::uint64_t corners, std::uint64_t faces,
+                                      std::uint64_t vertices, bool sizes, std::uint64_t values) {
+  constexpr std::uint64_t each = sizeof(std::uint32_t);
+  const std::uint64_t view = Faces::memory(corners, faces, sizes),
+                      order = each * (2 * faces + vertices),
+                      restored = each * (corners + (sizes ? faces : 0));
+  return view + order +
+         std::max(view + FileOrderCoder::memory(corners, faces, vertices),
+                  restored + std::max(each * vertices, values));
+}
 
 }  // namespace clers::internal
 

@@ -1,49 +1,21 @@
 #include "codec/file/mesh_decoder.h"
 
 #include <algorithm>
-#include <cstring>
 #include <string>
 #include <utility>
 
 #include "codec/base/budget.h"
 #include "codec/base/parallel.h"
 #include "codec/file/file_order.h"
-#include "codec/pieces/seams.h"
-#include "codec/soup/degenerate_faces.h"
-#include "codec/soup/folded_faces.h"
-#include "codec/soup/polygons.h"
-#include "codec/soup/raw_faces.h"
-#include "codec/soup/repeated_faces.h"
-#include "codec/soup/reversed_faces.h"
-#include "codec/soup/stitching.h"
 
 namespace clers::internal {
 namespace {
-
-Failure<Error> broken(const Stream& stream, std::string what) {
-  return fail(ErrorCode::invalid, Place::byte, stream.at, std::move(what));
-}
-
-Expected<Done> finished(const rans::Decoder& in, const Stream& stream, const char* what) {
-  if (in.finished()) return Done{};
-  return broken(stream, std::string(what) + " do not end where their bytes end");
-}
 
 /// No sizes where all faces are triangles.
 void drop_sizes_of_triangles(Mesh& mesh) {
   const auto is_triangle = [](std::uint32_t size) { return size == 3; };
   if (std::all_of(mesh.face_sizes.begin(), mesh.face_sizes.end(), is_triangle))
     mesh.face_sizes = {};
-}
-
-/// Values in another order: to[i] = from[source(i)], and `values` of them.
-template <class Source>
-void reorder(Attribute& a, std::size_t values, Source source) {
-  const std::size_t stride = a.stride();
-  std::vector<std::byte> from = std::move(a.data);
-  a.data.resize(from.size());
-  for (std::size_t i = 0; i < values; ++i)
-    std::memcpy(a.data.data() + i * stride, from.data() + source(i) * stride, stride);
 }
 
 /// A piece without attributes, and the triangles that those are predicted along.
@@ -160,11 +132,6 @@ std::uint64_t count_of(const MeshSections& mesh, Domain domain) {
   return 0;
 }
 
-/// Vertices that no corner names follow those that one does.
-std::uint64_t most_used_vertices(const PieceSections& sections) {
-  return std::min(sections.vertices, sections.corners);
-}
-
 }  // namespace
 
 PieceMemory memory_of(const PieceSections& s, Values values) {
@@ -247,65 +214,12 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
   return result;
 }
 
-std::uint64_t numbering_memory(const PieceSections& s) {
-  return s.shared * (sizeof(SharedVertex) + each) + each * most_used_vertices(s);
-}
-
 Expected<Done> decode_triangles(const PieceSections& sections, std::span<std::uint32_t> corners,
                                 std::span<HalfEdge> twins) {
   auto surface = decode_surface(sections, corners, twins);
   if (!surface) return Failure{surface.error()};
   reverse_runs(corners, {}, surface->reversed);
   return Done{};
-}
-
-Expected<std::vector<SharedVertex>> decode_seam(const PieceSections& sections) {
-  std::vector<SharedVertex> seam;
-  if (sections.shared == 0) return seam;
-  seam.reserve(static_cast<std::size_t>(sections.shared));
-  const std::uint64_t vertices = most_used_vertices(sections), before = sections.first_vertex;
-  rans::Decoder in(sections.seam.bytes);
-  DecodeFrom coder(in);
-  SeamModel model;
-  std::uint64_t end = 0;
-  while (seam.size() < sections.shared) {
-    const SeamRun run = model.code(coder, {});
-    const std::uint64_t left = sections.shared - seam.size();
-    const bool fits = run.count > 0 && run.count <= left && run.first >= end &&
-                      run.first < vertices && run.count <= vertices - run.first &&
-                      run.global < before &&
-                      run.count - 1 <= (run.down ? run.global : before - 1 - run.global);
-    if (!fits) return broken(sections.seam, "a seam is out of order or has no such vertex");
-    for (std::uint32_t i = 0; i < run.count; ++i) seam.push_back({run.first + i, run.global_at(i)});
-    end = std::uint64_t(run.first) + run.count;
-  }
-  if (auto ok = finished(in, sections.seam, "the seam"); !ok) return Failure{ok.error()};
-  std::vector<std::uint32_t> numbers;
-  numbers.reserve(seam.size());
-  for (const SharedVertex& v : seam) numbers.push_back(v.number);
-  std::sort(numbers.begin(), numbers.end());
-  if (std::adjacent_find(numbers.begin(), numbers.end()) != numbers.end())
-    return broken(sections.seam, "a seam has a vertex twice");
-  return seam;
-}
-
-Expected<std::vector<std::uint32_t>> number_piece(const PieceSections& sections,
-                                                  std::span<std::uint32_t> corners) {
-  auto seam = decode_seam(sections);
-  if (!seam) return Failure{seam.error()};
-  std::vector<std::uint32_t> numbers(static_cast<std::size_t>(most_used_vertices(sections)));
-  std::uint32_t next = static_cast<std::uint32_t>(sections.first_vertex);
-  auto shared = seam->begin();
-  for (std::uint32_t v = 0; v < numbers.size(); ++v)
-    numbers[v] = shared != seam->end() && shared->vertex == v ? shared++->number : next++;
-  for (std::uint32_t& v : corners) {
-    if (v >= numbers.size())
-      return fail(ErrorCode::invalid, Place::byte, sections.at,
-                  "vertex " + std::to_string(v) + " of a piece of " +
-                      std::to_string(sections.corners) + " corners");
-    v = numbers[v];
-  }
-  return numbers;
 }
 
 std::uint64_t room_memory(const MeshSections& sections, Values values) {
@@ -334,53 +248,14 @@ Mesh make_room(const MeshSections& sections, Values values) {
   return mesh;
 }
 
-Expected<Done> put_piece(const PieceSections& sections, const Mesh& piece, Mesh& whole) {
-  const auto corners = std::span(whole.corners)
-                           .subspan(static_cast<std::size_t>(sections.first_corner),
-                                    static_cast<std::size_t>(sections.corners));
-  std::copy(piece.corners.begin(), piece.corners.end(), corners.begin());
-  auto numbers = number_piece(sections, corners);
-  if (!numbers) return Failure{numbers.error()};
-  if (!whole.face_sizes.empty()) {
-    std::uint32_t* size = whole.face_sizes.data() + sections.first_face;
-    if (piece.triangles_only())
-      std::fill_n(size, piece.face_count(), 3u);
-    else
-      std::copy(piece.face_sizes.begin(), piece.face_sizes.end(), size);
-  }
-  for (std::size_t k = 0; k < piece.attributes.size(); ++k) {
-    const Attribute& from = piece.attributes[k];
-    std::byte* to = whole.attributes[k].data.data();
-    const std::size_t stride = from.stride();
-    if (from.domain != Domain::vertex) {
-      const std::uint64_t first =
-          from.domain == Domain::face ? sections.first_face : sections.first_corner;
-      std::copy(from.data.begin(), from.data.end(), to + first * stride);
-      continue;
-    }
-    to += sections.first_vertex * stride;
-    for (std::size_t v = 0; v < piece.vertex_count; ++v) {
-      if (v < numbers->size() && (*numbers)[v] < sections.first_vertex) continue;
-      std::memcpy(to, from.data.data() + v * stride, stride);
-      to += stride;
-    }
-  }
-  return Done{};
-}
-
 std::uint64_t finishing_memory(const MeshSections& s, Values values) {
   if (!s.has_order) return 0;
-  const std::uint64_t sizes = s.may_have_sizes() ? each * s.faces : 0,
-                      order = each * (2 * s.faces + s.vertices),
-                      faces = Faces::memory(s.corners, s.faces, s.may_have_sizes());
-  std::uint64_t most = 0;  // of the attributes, whose values are copied into their order
+  std::uint64_t most = 0;
   if (values == Values::decode)
     for (const PieceSections::AttributeSection& a : s.pieces[0].attributes)
       most = std::max(most,
                       attribute_memory(a.header.attribute, count_of(s, a.header.attribute.domain)));
-  return faces + order +
-         std::max(faces + FileOrderCoder::memory(s.corners, s.faces, s.vertices),
-                  2 * each * s.corners + sizes + each * s.vertices + most);
+  return restoring_memory(s.corners, s.faces, s.vertices, s.may_have_sizes(), most);
 }
 
 Expected<Done> finish_mesh(const MeshSections& sections, Mesh& mesh) {
@@ -392,45 +267,7 @@ Expected<Done> finish_mesh(const MeshSections& sections, Mesh& mesh) {
   }
   if (sections.pieces.size() > 1) drop_sizes_of_triangles(mesh);
   if (!sections.has_order) return Done{};
-  FileOrder order;
-  const Faces faces(mesh.corners, mesh.face_sizes);
-  {
-    rans::Decoder in(sections.order.bytes);
-    DecodeFrom coder(in);
-    if (!FileOrderCoder(faces, mesh.vertex_count).code(coder, order))
-      return broken(sections.order, "the order names a face or a vertex twice, or none");
-    if (auto ok = finished(in, sections.order, "the orders"); !ok) return ok;
-  }
-  std::vector<std::uint32_t> corners, sizes, source;  // source: the new corner of each old one
-  corners.reserve(mesh.corners.size());
-  source.reserve(mesh.corners.size());
-  sizes.reserve(mesh.face_sizes.size());
-  for (std::uint32_t j = 0; j < faces.count(); ++j) {
-    const std::uint32_t f = order.faces[j], size = faces.size(f);
-    for (std::uint32_t i = 0; i < size; ++i) {
-      source.push_back(faces.begin(f) + (order.first_corners[j] + i) % size);
-      corners.push_back(order.vertices[mesh.corners[source.back()]]);
-    }
-    if (!mesh.triangles_only()) sizes.push_back(size);
-  }
-  std::vector<std::uint32_t> new_vertex(mesh.vertex_count);
-  for (std::uint32_t v = 0; v < mesh.vertex_count; ++v) new_vertex[order.vertices[v]] = v;
-  for (Attribute& a : mesh.attributes) {
-    switch (a.domain) {
-      case Domain::vertex:
-        reorder(a, new_vertex.size(), [&](std::size_t v) { return new_vertex[v]; });
-        break;
-      case Domain::face:
-        reorder(a, faces.count(), [&](std::size_t f) { return order.faces[f]; });
-        break;
-      case Domain::corner:
-        reorder(a, source.size(), [&](std::size_t c) { return source[c]; });
-        break;
-    }
-  }
-  mesh.corners = std::move(corners);
-  mesh.face_sizes = std::move(sizes);
-  return Done{};
+  return restore_order(sections.order, mesh);
 }
 
 }  // namespace clers::internal

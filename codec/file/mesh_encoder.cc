@@ -1,8 +1,6 @@
 #include "codec/file/mesh_encoder.h"
 
 #include <algorithm>
-#include <cstring>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,27 +22,11 @@
 namespace clers::internal {
 namespace {
 
-std::uint32_t size_of_face(const Mesh& mesh, std::size_t f) {
-  return mesh.triangles_only() ? 3 : mesh.face_sizes[f];
-}
-
 std::size_t face_of_corner(const Mesh& mesh, std::size_t h) {
   if (mesh.triangles_only()) return h / 3;
   std::size_t f = 0;
   while (h >= mesh.face_sizes[f]) h -= mesh.face_sizes[f++];
   return f;
-}
-
-/// First corner of each face; empty for triangles.
-std::vector<std::uint32_t> begins_of(const Mesh& mesh) {
-  std::vector<std::uint32_t> begins;
-  begins.reserve(mesh.face_sizes.size());
-  std::uint32_t begin = 0;
-  for (const std::uint32_t size : mesh.face_sizes) {
-    begins.push_back(begin);
-    begin += size;
-  }
-  return begins;
 }
 
 /// Refuses meshes whose arrays disagree.
@@ -128,7 +110,7 @@ class MeshEncoder {
       payload = surface_payload(*coded);
       if (keep) {
         progress("order", 0.3);
-        kept_order = encode_order(mesh_, order(), in_coded_order(mesh_, order()));
+        kept_order = encode_order(all_, order());
       }
       if (keep || !coded->copies.empty()) raw = raw_if_smaller(payload.size() + kept_order.size());
     }
@@ -138,7 +120,7 @@ class MeshEncoder {
       payload = std::move(*raw);
       kept_order.clear();
       triangles = fan_triangles(mesh_.corners, mesh_.face_sizes);
-      set_identity(mesh_, order());
+      order() = identity(mesh_);
       info().cuts = {};
       info().clers = {};
       info().polygon_bytes = info().stitching_bytes = 0;
@@ -152,7 +134,7 @@ class MeshEncoder {
     }
     if (!kept_order.empty()) put(SectionKind::order, std::move(kept_order));
     if (auto ok = attributes(triangles, threads, progress); !ok) return ok;
-    if (keep) set_identity(mesh_, order());
+    if (keep) order() = identity(mesh_);
     return Done{};
   }
 
@@ -340,8 +322,9 @@ class MeshEncoder {
       const Attribute& a = mesh_.attributes[i];
       if (worker == 0)
         progress(a.name, 0.4 + 0.6 * static_cast<double>(i) / static_cast<double>(count));
-      coded[i] =
-          encode_attribute(in_coded_order(a, mesh_, result.order), triangles, options_.level);
+      Attribute permuted{a.name, a.domain, a.scalar, a.components, {}};
+      permuted.data = permuted_values(a, all_, result.order);
+      coded[i] = encode_attribute(permuted, triangles, options_.level);
     });
     const Attribute* const position = mesh_.position();
     for (std::size_t i = 0; i < count; ++i) {
@@ -374,78 +357,6 @@ Expected<Done> check(const Mesh& mesh, const EncodeOptions& options) {
       options.on_duplicate == OnOddity::keep)
     return Done{};
   return MeshEncoder(mesh, options).refuse();
-}
-
-CodedFaces in_coded_order(const Mesh& mesh, const Permutation& order) {
-  CodedFaces result;
-  const std::vector<std::uint32_t> begins = begins_of(mesh);
-  std::vector<std::uint32_t> number(mesh.vertex_count);
-  for (std::uint32_t i = 0; i < order.vertices.size(); ++i) number[order.vertices[i]] = i;
-  result.corners.reserve(mesh.corners.size());
-  for (std::uint32_t i = 0; i < order.faces.size(); ++i) {
-    const std::uint32_t f = order.faces[i], size = size_of_face(mesh, f);
-    const std::size_t begin = begins.empty() ? 3 * std::size_t(f) : begins[f];
-    std::uint32_t j = order.first_corners[i];
-    for (std::uint32_t k = 0; k < size; ++k, j = j + 1 == size ? 0 : j + 1)
-      result.corners.push_back(number[mesh.corners[begin + j]]);
-    if (!mesh.triangles_only()) result.sizes.push_back(size);
-  }
-  return result;
-}
-
-Bytes encode_order(const Mesh& mesh, const Permutation& order, const CodedFaces& coded) {
-  FileOrder file;
-  file.vertices = order.vertices;
-  file.faces.resize(order.faces.size());
-  file.first_corners.resize(order.faces.size());
-  for (std::uint32_t i = 0; i < order.faces.size(); ++i) {
-    const std::uint32_t f = order.faces[i], size = size_of_face(mesh, f);
-    file.faces[f] = i;
-    file.first_corners[f] = size == 0 ? 0 : (size - order.first_corners[i]) % size;
-  }
-  rans::Encoder stream;
-  EncodeTo coder(stream);
-  FileOrderCoder({coded.corners, coded.sizes}, mesh.vertex_count).code(coder, file);
-  Bytes bytes;
-  stream.finish(bytes);
-  return bytes;
-}
-
-Attribute in_coded_order(const Attribute& a, const Mesh& mesh, const Permutation& order) {
-  Attribute result = a;
-  const std::size_t stride = a.stride();
-  std::byte* to = result.data.data();
-  const auto copy = [&](std::size_t from) {
-    std::memcpy(to, a.data.data() + from * stride, stride);
-    to += stride;
-  };
-  switch (a.domain) {
-    case Domain::vertex:
-      for (const std::uint32_t v : order.vertices) copy(v);
-      break;
-    case Domain::face:
-      for (const std::uint32_t f : order.faces) copy(f);
-      break;
-    case Domain::corner: {
-      const std::vector<std::uint32_t> begins = begins_of(mesh);
-      for (std::size_t i = 0; i < order.faces.size(); ++i) {
-        const std::uint32_t f = order.faces[i], size = size_of_face(mesh, f);
-        const std::size_t begin = begins.empty() ? 3 * std::size_t(f) : begins[f];
-        std::uint32_t j = order.first_corners[i];
-        for (std::uint32_t k = 0; k < size; ++k, j = j + 1 == size ? 0 : j + 1) copy(begin + j);
-      }
-      break;
-    }
-  }
-  return result;
-}
-
-void set_identity(const Mesh& mesh, Permutation& order) {
-  order.vertices.resize(mesh.vertex_count);
-  order.faces.resize(mesh.face_count());
-  std::iota(order.vertices.begin(), order.vertices.end(), 0u);
-  std::iota(order.faces.begin(), order.faces.end(), 0u);
-  order.first_corners.assign(mesh.face_count(), 0);
 }
 
 Expected<EncodedMesh> encode_mesh(const Mesh& mesh, const EncodeOptions& options, unsigned threads,

@@ -114,15 +114,13 @@ Expected<PieceSections::AttributeSection> read_attribute(const Section& section,
 Expected<Done> read_seam(const Section& section, PieceSections& piece) {
   ByteReader in(section.payload, section.at);
   piece.seam_size = section.payload.size();
-  piece.shared = in.varint();
+  piece.seam.read(in);
   if (!in.ok()) return Failure{in.error()};
-  piece.seam = {section.payload.subspan(in.position()), in.offset()};
-  if (piece.shared == 0 || piece.shared > std::min(piece.vertices, piece.corners) ||
-      piece.shared > piece.first_vertex)
+  const std::uint64_t shared = piece.seam.shared;
+  if (shared == 0 || shared > piece.most_used_vertices() || shared > piece.first_vertex)
     return fail(ErrorCode::invalid, Place::byte, section.at,
                 "a piece of " + std::to_string(piece.vertices) + " vertices after " +
-                    std::to_string(piece.first_vertex) + " cannot share " +
-                    std::to_string(piece.shared));
+                    std::to_string(piece.first_vertex) + " cannot share " + std::to_string(shared));
   return Done{};
 }
 
@@ -153,7 +151,7 @@ class MeshesReader {
     PieceSections& piece = meshes.back().pieces.back();
     switch (section.kind) {
       case SectionKind::seam:
-        if (meshes.back().pieces.size() == 1 || piece.shared > 0 || !piece.attributes.empty())
+        if (meshes.back().pieces.size() == 1 || piece.seam.shared > 0 || !piece.attributes.empty())
           return invalid(section, "a seam where none can be");
         return read_seam(section, piece);
       case SectionKind::attribute: return add_attribute(section, piece);
@@ -226,7 +224,7 @@ class MeshesReader {
     };
     if (!same_attributes(mesh.pieces.front(), piece))
       return refuse("this piece does not have the attributes of the first one");
-    mesh.vertices += piece.vertices - piece.shared;
+    mesh.vertices += piece.vertices - piece.seam.shared;
     mesh.faces += piece.faces;
     mesh.corners += piece.corners;
     if (mesh.vertices > 0xffffffffu || mesh.corners > max_corners || mesh.faces > max_corners)

@@ -17,6 +17,7 @@
 #include "codec/file/mesh_features.h"
 #include "codec/file/metadata.h"
 #include "codec/limits.h"
+#include "codec/pieces/assembly.h"
 #include "codec/soup/degenerate_faces.h"
 #include "codec/soup/folded_faces.h"
 #include "codec/soup/polygon_sizes.h"
@@ -28,11 +29,10 @@
 namespace clers::internal {
 
 /// A part of a file that decodes alone: a mesh, or a piece of one.
-struct PieceSections {
-  std::uint64_t vertices = 0, faces = 0, corners = 0;  ///< of the piece
-  std::uint64_t surface_vertices = 0;                  ///< of the piece, that its surface has
-  std::uint64_t surface_faces = 0;                     ///< neither repeated, folded nor degenerate
-  std::uint32_t features = 0;                          ///< which of these it has:
+struct PieceSections : PiecePlace {
+  std::uint64_t surface_vertices = 0;  ///< of the piece, that its surface has
+  std::uint64_t surface_faces = 0;     ///< neither repeated, folded nor degenerate
+  std::uint32_t features = 0;          ///< which of these it has:
   ReversedHeader reversed;
   PolygonHeader polygons;
   CopiesHeader copies;
@@ -44,7 +44,6 @@ struct PieceSections {
   std::span<const std::byte> connectivity_bytes;  ///< without what stands before
   std::uint64_t connectivity_at = 0;
   std::uint64_t payload_size = 0;
-  std::uint64_t at = 0;  ///< of the payload in the file
   struct AttributeSection {
     AttributeHeader header;
     std::span<const std::byte> bytes;
@@ -53,11 +52,7 @@ struct PieceSections {
   };
   std::vector<AttributeSection> attributes;
 
-  std::uint64_t shared = 0;  ///< vertices that are vertices of pieces before
-  Stream seam;
   std::uint64_t seam_size = 0;  ///< of the section's payload
-  /// Where in the mesh what is the piece's own begins.
-  std::uint64_t first_vertex = 0, first_face = 0, first_corner = 0;
 
   bool may_have_sizes() const {
     return features & (feature::polygons | feature::degenerate | feature::raw);
