@@ -12,11 +12,11 @@
 #include "codec/file/file_order.h"
 #include "codec/file/mesh_features.h"
 #include "codec/file/metadata.h"
-#include "codec/soup/adjacency.h"
+#include "codec/soup/defects.h"
 #include "codec/soup/degenerate_faces.h"
-#include "codec/soup/duplicates.h"
 #include "codec/soup/folded_faces.h"
 #include "codec/soup/raw_faces.h"
+#include "codec/soup/regular_faces.h"
 #include "codec/soup/surface_encoder.h"
 
 namespace clers::internal {
@@ -77,27 +77,20 @@ Expected<Done> check_arrays(const Mesh& mesh) {
   return Done{};
 }
 
-constexpr std::uint32_t none = 0xffffffffu;
-
 class MeshEncoder {
  public:
   MeshEncoder(const Mesh& mesh, const EncodeOptions& options)
       : mesh_(mesh),
         options_(options),
         all_(mesh.corners, mesh.face_sizes),
-        corners_(mesh.corners),
-        sizes_(mesh.face_sizes) {
-    if (std::all_of(sizes_.begin(), sizes_.end(), [](std::uint32_t n) { return n == 3; }))
-      sizes_ = {};
-  }
+        regular_(all_, mesh.face_sizes, mesh.vertex_count) {}
 
   template <class Progress>
   Expected<Done> run(unsigned threads, const Progress& progress) {
-    progress("connectivity", 0.0);
-    split_degenerate();
-    auto coded = encode_surface(corners_, sizes_, mesh_.vertex_count, options_.level,
-                                !mesh_.attributes.empty() || !degenerate_.empty(),
-                                [&] { return raw_bytes() < 3 * mesh_.face_count() / 2; });
+    auto coded =
+        encode_surface(regular_.corners(), regular_.sizes(), mesh_.vertex_count, options_.level,
+                       !mesh_.attributes.empty() || !regular_.degenerate().empty(),
+                       [&] { return raw_bytes() < 3 * mesh_.face_count() / 2; });
     if (!coded) return Failure{coded.error()};
     Bytes payload, kept_order;
     std::optional<Bytes> raw;
@@ -135,37 +128,6 @@ class MeshEncoder {
     if (!kept_order.empty()) put(SectionKind::order, std::move(kept_order));
     if (auto ok = attributes(triangles, threads, progress); !ok) return ok;
     if (keep) order() = identity(mesh_);
-    return Done{};
-  }
-
-  /// What the options do not allow to keep.
-  Expected<Done> refuse() {
-    split_degenerate();
-    if (options_.on_degenerate == OnOddity::error && !degenerate_.empty()) {
-      const std::uint32_t size = all_.size(degenerate_[0]);
-      return fail(ErrorCode::degenerate_face, Place::face, degenerate_[0],
-                  size < 3 ? "has " + std::to_string(size) + " corners, expected 3 at least"
-                           : "uses a vertex twice");
-    }
-    if (options_.on_duplicate == OnOddity::error) {
-      const auto duplicates = duplicate_faces(mesh_);
-      if (!duplicates.empty())
-        return fail(ErrorCode::duplicate_face, Place::face, duplicates[0].second,
-                    "has the same vertices as face " + std::to_string(duplicates[0].first));
-    }
-    if (options_.on_nonmanifold == OnOddity::error) {
-      const auto kept = [&](Error e) {
-        if (e.place == Place::face && !kept_.empty()) e.at = kept_[e.at];
-        return Failure{e};
-      };
-      const Faces faces(corners_, sizes_);
-      const auto twins = find_twins(faces, mesh_.vertex_count);
-      if (!twins) return kept(twins.error());
-      const std::uint32_t v = vertex_of_several_fans(faces, *twins, mesh_.vertex_count);
-      if (v != none)
-        return fail(ErrorCode::nonmanifold_vertex, Place::vertex, v,
-                    "its faces form more than one fan, expected one");
-    }
     return Done{};
   }
 
@@ -218,48 +180,6 @@ class MeshEncoder {
     return payload;
   }
 
-  /// Whether each triangle has three vertices: what most meshes are, seen without a table.
-  static bool no_vertex_twice(std::span<const std::uint32_t> corners) {
-    bool all = true;
-    for (std::size_t h = 0; h < corners.size(); h += 3) {
-      const std::uint32_t a = corners[h], b = corners[h + 1], c = corners[h + 2];
-      all &= a != b && b != c && c != a;
-    }
-    return all;
-  }
-
-  /// Parts faces that a surface can have from those that it cannot: fewer than three corners, or a
-  /// vertex twice.
-  void split_degenerate() {
-    if (mesh_.triangles_only() && no_vertex_twice(mesh_.corners)) return;
-    std::vector<std::uint32_t> last_face(mesh_.vertex_count, none);
-    for (std::uint32_t f = 0; f < all_.count(); ++f) {
-      bool degenerate = all_.size(f) < 3;
-      for (const std::uint32_t v : all_.cycle(f)) {
-        degenerate |= last_face[v] == f;
-        last_face[v] = f;
-      }
-      if (degenerate) degenerate_.push_back(f);
-    }
-    if (degenerate_.empty()) return;
-    kept_.reserve(all_.count() - degenerate_.size());
-    std::size_t next = 0;
-    for (std::uint32_t f = 0; f < all_.count(); ++f) {
-      if (next < degenerate_.size() && degenerate_[next] == f) {
-        ++next;
-        continue;
-      }
-      kept_.push_back(f);
-      const auto cycle = all_.cycle(f);
-      kept_corners_.insert(kept_corners_.end(), cycle.begin(), cycle.end());
-      kept_sizes_.push_back(all_.size(f));
-    }
-    corners_ = kept_corners_;
-    sizes_ = kept_sizes_;
-    if (std::all_of(sizes_.begin(), sizes_.end(), [](std::uint32_t n) { return n == 3; }))
-      sizes_ = {};
-  }
-
   void number(EncodedSurface& coded) {
     order() = std::move(coded.order);
     surface_vertices_ = static_cast<std::uint32_t>(order().vertices.size());
@@ -269,25 +189,25 @@ class MeshEncoder {
       for (std::uint32_t v = 0; v < mesh_.vertex_count; ++v)
         if (!used[v]) order().vertices.push_back(v);
     }
-    if (!kept_.empty())
-      for (std::uint32_t& f : order().faces) f = kept_[f];
+    if (!regular_.degenerate().empty())
+      for (std::uint32_t& f : order().faces) f = regular_.in_all(f);
   }
 
   /// Encodes the faces that no surface can have, beside the triangles of the one there is, and
   /// appends them to the order.
   void encode_degenerate_faces(std::span<const std::uint32_t> triangles, Permutation& order) {
-    if (degenerate_.empty()) return;
+    if (regular_.degenerate().empty()) return;
     std::vector<std::uint32_t> number(mesh_.vertex_count);
     for (std::uint32_t i = 0; i < order.vertices.size(); ++i) number[order.vertices[i]] = i;
     const std::vector<std::uint32_t> others = encode_folded(
-        all_, degenerate_, number, triangles, surface_vertices_, order, folded_stream_);
+        all_, regular_.degenerate(), number, triangles, surface_vertices_, order, folded_stream_);
     if (!others.empty())
       degenerate_stream_ = encode_degenerate(all_, others, number, triangles, surface_vertices_,
                                              mesh_.vertex_count, order);
   }
 
   std::uint64_t used_vertices() const {
-    if (degenerate_.empty() && surface_vertices_ > 0) return surface_vertices_;
+    if (regular_.degenerate().empty() && surface_vertices_ > 0) return surface_vertices_;
     std::vector<bool> used(mesh_.vertex_count);
     for (const std::uint32_t v : mesh_.corners) used[v] = true;
     return static_cast<std::uint64_t>(std::count(used.begin(), used.end(), true));
@@ -296,7 +216,7 @@ class MeshEncoder {
   void describe(const EncodedSurface& coded) {
     info().name = mesh_.name;
     info().cuts = {count_reversed(coded.reversed_runs), coded.copied_vertices, coded.repeated_faces,
-                   degenerate_.size()};
+                   regular_.degenerate().size()};
     info().clers = in_word_order(coded.counts.symbols);
     info().polygon_bytes = coded.polygons.bytes.size();
     info().stitching_bytes = coded.reversed.bytes.size() + coded.copies.bytes.size() +
@@ -342,9 +262,7 @@ class MeshEncoder {
   const Mesh& mesh_;
   const EncodeOptions& options_;
   const Cycles all_;
-  std::span<const std::uint32_t> corners_, sizes_;  ///< of the faces of the surface
-  std::vector<std::uint32_t> degenerate_, kept_;    ///< faces; nothing kept: all are
-  std::vector<std::uint32_t> kept_corners_, kept_sizes_;
+  const RegularFaces regular_;
   std::uint32_t surface_vertices_ = 0;
   EncodedStream folded_stream_, degenerate_stream_;
 };
@@ -353,14 +271,12 @@ class MeshEncoder {
 
 Expected<Done> check(const Mesh& mesh, const EncodeOptions& options) {
   if (auto ok = check_arrays(mesh); !ok) return ok;
-  if (options.on_nonmanifold == OnOddity::keep && options.on_degenerate == OnOddity::keep &&
-      options.on_duplicate == OnOddity::keep)
-    return Done{};
-  return MeshEncoder(mesh, options).refuse();
+  return refuse_defects(mesh, options);
 }
 
 Expected<EncodedMesh> encode_mesh(const Mesh& mesh, const EncodeOptions& options, unsigned threads,
                                   const Progress& progress) {
+  progress("connectivity", 0.0);
   MeshEncoder encoder(mesh, options);
   if (auto ok = encoder.run(threads, progress); !ok) return Failure{ok.error()};
   return std::move(encoder.result);
