@@ -4,13 +4,12 @@
 #include <utility>
 
 #include "codec/base/faces.h"
+#include "codec/base/no_index.h"
 #include "codec/file/file_order.h"
 #include "codec/pieces/seams.h"
 
 namespace clers::internal {
 namespace {
-
-constexpr std::uint32_t none = 0xffffffffu;
 
 /// Adds what is said of a piece that shares vertices with those before.
 void add(const MeshInfo& piece, std::uint64_t shared, MeshInfo& whole) {
@@ -57,12 +56,12 @@ EncodedMesh join_pieces(std::vector<EncodedMesh> pieces, const Mesh& mesh, Order
   whole.order.vertices.reserve(mesh.vertex_count);
   whole.order.faces.reserve(mesh.face_count());
   whole.order.first_corners.reserve(mesh.face_count());
-  std::vector<std::uint32_t> number(mesh.vertex_count, none), numbers;
+  std::vector<std::uint32_t> number(mesh.vertex_count, no_index), numbers;
   for (EncodedMesh& piece : pieces) {
     const std::uint32_t first_own = static_cast<std::uint32_t>(whole.order.vertices.size());
     numbers.clear();
     for (const std::uint32_t v : piece.order.vertices) {
-      if (number[v] == none) {
+      if (number[v] == no_index) {
         number[v] = static_cast<std::uint32_t>(whole.order.vertices.size());
         whole.order.vertices.push_back(v);
       }

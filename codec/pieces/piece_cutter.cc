@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "codec/base/no_index.h"
+
 namespace clers::internal {
-namespace {
-
-constexpr std::uint32_t none = 0xffffffffu;
-
-}  // namespace
-
 PieceCutter::PieceCutter(const Mesh& mesh, Partition parts)
     : mesh_(mesh), parts_(std::move(parts)), all_(mesh.corners, mesh.face_sizes) {
   std::vector<bool> used(mesh.vertex_count);
@@ -21,13 +17,13 @@ PieceCutter::PieceCutter(const Mesh& mesh, Partition parts)
 PieceCutter::Piece PieceCutter::cut(std::size_t piece, std::vector<std::uint32_t>& number) const {
   Piece result;
   Mesh& mesh = result.mesh;
-  number.resize(std::max<std::size_t>(number.size(), mesh_.vertex_count), none);
+  number.resize(std::max<std::size_t>(number.size(), mesh_.vertex_count), no_index);
   const auto faces = parts_.piece(piece);
   mesh.corners.reserve(3 * faces.size());
   for (const std::uint32_t f : faces) {
     for (const std::uint32_t old : all_.cycle(f)) {
       std::uint32_t& v = number[old];
-      if (v == none) {
+      if (v == no_index) {
         v = static_cast<std::uint32_t>(result.vertices.size());
         result.vertices.push_back(old);
       }
@@ -35,7 +31,7 @@ PieceCutter::Piece PieceCutter::cut(std::size_t piece, std::vector<std::uint32_t
     }
     if (!all_.triangles()) mesh.face_sizes.push_back(all_.size(f));
   }
-  for (const std::uint32_t v : result.vertices) number[v] = none;
+  for (const std::uint32_t v : result.vertices) number[v] = no_index;
   if (piece + 1 == parts_.count())
     result.vertices.insert(result.vertices.end(), isolated_.begin(), isolated_.end());
   mesh.vertex_count = static_cast<std::uint32_t>(result.vertices.size());

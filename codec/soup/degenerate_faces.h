@@ -14,28 +14,12 @@
 #include <vector>
 
 #include "codec/base/faces.h"
+#include "codec/base/least_rotation.h"
 #include "codec/entropy/stream.h"
 #include "codec/order.h"
 #include "codec/soup/corners_of.h"
 
 namespace clers::internal {
-
-/// The rotation of a cycle that makes the least sequence; the first one of those. Linear.
-inline std::uint32_t least_rotation(std::span<const std::uint32_t> cycle) {
-  const std::size_t n = cycle.size();
-  std::size_t i = 0, j = 1, k = 0;  // rotations i and j agree in k places
-  while (i < n && j < n && k < n) {
-    const std::uint32_t a = cycle[(i + k) % n], b = cycle[(j + k) % n];
-    if (a == b) {
-      ++k;
-      continue;
-    }
-    (a > b ? i : j) += k + 1;
-    if (i == j) ++j;
-    k = 0;
-  }
-  return static_cast<std::uint32_t>(n == 0 ? 0 : std::min(i, j));
-}
 
 /// Codes degenerate faces in rising order.
 class DegenerateFaceModel {
@@ -109,7 +93,10 @@ inline EncodedStream encode_degenerate(const Cycles& faces,
     const std::size_t begin = corners.size();
     for (const std::uint32_t v : faces.cycle(f)) corners.push_back(number[v]);
     const std::span<std::uint32_t> cycle = std::span(corners).subspan(begin);
-    const std::uint32_t rotation = least_rotation(cycle);
+    const std::uint32_t rotation = least_rotation(
+        static_cast<std::uint32_t>(cycle.size()), [cycle](std::uint32_t x, std::uint32_t y) {
+          return cycle[x] == cycle[y] ? 0 : cycle[x] < cycle[y] ? -1 : 1;
+        });
     std::rotate(cycle.begin(), cycle.begin() + rotation, cycle.end());
     rotated.push_back({f, rotation, begin, cycle.size()});
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "codec/base/no_index.h"
+
 namespace clers::internal {
 namespace {
 
@@ -16,7 +18,7 @@ bool no_vertex_twice(std::span<const std::uint32_t> corners) {
 }
 
 std::vector<std::uint32_t> degenerate_faces(const Cycles& faces, std::uint32_t vertex_count) {
-  std::vector<std::uint32_t> degenerate, last_face(vertex_count, 0xffffffffu);
+  std::vector<std::uint32_t> degenerate, last_face(vertex_count, no_index);
   for (std::uint32_t f = 0; f < faces.count(); ++f) {
     bool is_degenerate = faces.size(f) < 3;
     for (const std::uint32_t v : faces.cycle(f)) {

@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+#include "codec/base/no_index.h"
 #include "codec/entropy/stream.h"
 
 namespace clers::internal {
@@ -80,7 +81,6 @@ class Stitching {
   }
 
  private:
-  static constexpr std::uint32_t none = 0xffffffffu;
   void mark(std::span<const std::uint32_t> classes) {
     marks_.resize(vertices_);
     for (std::uint32_t v = 0; v < vertices_; ++v)
@@ -120,7 +120,7 @@ class Stitching {
     const std::uint32_t count = static_cast<std::uint32_t>(on_cut_.size());
     place_.resize(vertices_);
     for (std::uint32_t i = 0; i < count; ++i) place_[on_cut_[i]] = i;
-    first_.assign(count, none);
+    first_.assign(count, no_index);
     listed_.assign(count, 0);
     neighbours_.reserve(static_cast<std::size_t>(most_neighbours(triangles_.size(), count)));
     const auto list = [&](std::uint32_t a, std::uint32_t b) {
@@ -145,7 +145,7 @@ class Stitching {
 
   template <class Visit>
   void for_each_neighbour(std::uint32_t i, Visit visit) const {
-    for (std::uint32_t k = first_[i]; k != none; k = neighbours_[k].next)
+    for (std::uint32_t k = first_[i]; k != no_index; k = neighbours_[k].next)
       visit(neighbours_[k].place);
   }
 
@@ -153,7 +153,7 @@ class Stitching {
   /// them.
   void gather(std::uint32_t i) {
     candidates_ = both_ = 0;
-    std::array<std::uint32_t, 2> known{none, none};
+    std::array<std::uint32_t, 2> known{no_index, no_index};
     unsigned count = 0;
     for_each_neighbour(i, [&](std::uint32_t w) {
       if (w >= i || count == 2 || ring_[w] == w || class_[w] == known[0]) return;
@@ -226,7 +226,7 @@ inline EncodedStream encode_copies(std::uint32_t inputs, std::vector<std::uint32
                                    std::span<std::uint32_t> triangles) {
   const std::uint32_t count = static_cast<std::uint32_t>(vertices.size());
   std::uint32_t copies = 0;
-  std::vector<std::uint32_t> classes(count), first(inputs, 0xffffffffu);
+  std::vector<std::uint32_t> classes(count), first(inputs, no_index);
   for (std::uint32_t v = 0; v < count; ++v) {
     std::uint32_t& c = first[vertices[v]];
     if (c > v)

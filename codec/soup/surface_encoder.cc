@@ -100,7 +100,7 @@ Expected<EncodedSurface> encode_distinct(const Faces& faces, std::span<const std
         level, with_triangles);
   };
   const bool likely = adjacency.sides.size() > faces.count() / 64;
-  auto coded = adjacency.ends.empty()
+  auto coded = adjacency.edges() == 0
                    ? encode_faces({faces, adjacency.twins, vertex_count}, level, with_triangles)
                    : encode_cut(std::move(adjacency), likely ? Fans::all : Fans::at_defects);
   if (coded || coded.error().code != ErrorCode::nonmanifold_vertex) return coded;
@@ -118,10 +118,8 @@ Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
   const std::vector<Repeat> repeats = find_repeats(all, adjacency);
   const auto shall_give_up = [&](const Adjacency& edges) {
     std::size_t crowded = 0;
-    for (std::uint32_t begin = 0; const std::uint32_t end : edges.ends) {
-      crowded += end - begin > 2 ? end - begin : 0;
-      begin = end;
-    }
+    for (std::uint32_t e = 0; e < edges.edges(); ++e)
+      if (const std::size_t sides = edges.edge(e).size(); sides > 2) crowded += sides;
     return crowded > edges.twins.size() / 2 && give_up();
   };
   EncodedSurface nothing;
