@@ -231,14 +231,15 @@ class UnbuildingMirror {
  public:
   explicit UnbuildingMirror(Surface whole) : surface(std::move(whole)) {}
 
-  void unglue(HalfEdge h) {
+  void unglue(HalfEdge h, HalfEdge, unsigned) {
     const auto found = surface.unglue(h);
     agree(found.ok());
     if (found) trace.push_back(static_cast<std::uint8_t>(*found));
     validate_now_and_then();
   }
-  void destroy(Face f) {
-    agree(surface.destroy(f).ok());
+  void cut_ear(HalfEdge, HalfEdge) { agree(false); }  // its faces are triangles
+  void destroy(HalfEdge gate, HalfEdge, HalfEdge) {
+    agree(surface.destroy(left(gate)).ok());
     trace.push_back(create_or_destroy);
     validate_now_and_then();
   }
