@@ -59,12 +59,10 @@ class TriangleFaces {
 
 /// Polygons, their half-edges consecutive: cycles that lose an ear at a time.
 ///
-// clang-format off
 ///          v_______u          The triangle at the gate a -> b is (a, b, v). Without it the half-edge
 ///         / .       \         v -> a is no longer there; the diagonal v -> b takes its name.
 ///        /    .      \        So the next triangle is (v, b, u), and all are a fan around b.
 ///       a =gate=> b --'
-// clang-format on
 class PolygonFaces {
  public:
   static constexpr bool only_triangles = false;

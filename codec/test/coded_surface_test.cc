@@ -16,6 +16,7 @@
 #include "codec/test/polygon_surface.h"
 #include "corpus/generate.h"
 #include "corpus/random_gluing.h"
+#include "topology/mirror.h"
 
 namespace clers::internal {
 namespace {
