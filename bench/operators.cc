@@ -229,7 +229,8 @@ void handles_of_chain(State& state) {
   cut_and_paste(state, s, last, HandleCase::join_curves, timed);
 }
 
-/// The edges are turned four times, which leaves all as it was. `follow` observes it or is NoObserver.
+/// The edges are turned four times, which leaves all as it was. `follow` observes it or is
+/// NoObserver.
 template <class Follow>
 void flip(State& state) {
   Surface s = test::torus(side(state.range(0)), side(state.range(0)));
