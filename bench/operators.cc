@@ -229,7 +229,8 @@ void handles_of_chain(State& state) {
   cut_and_paste(state, s, last, HandleCase::join_curves, timed);
 }
 
-/// The edges are turned four times, which leaves all as it was. `follow` hears of it or is Alone.
+/// The edges are turned four times, which leaves all as it was. `follow` observes it or is
+/// NoObserver.
 template <class Follow>
 void flip(State& state) {
   Surface s = test::torus(side(state.range(0)), side(state.range(0)));
@@ -398,7 +399,7 @@ BENCHMARK(handle_of_torus<Timed::unglue>)->Apply(sizes)->Name("unglue join_curve
 BENCHMARK(handle_of_torus<Timed::glue>)->Apply(sizes)->Name("glue join_curves, torus");
 BENCHMARK(handles_of_chain<Timed::unglue>)->Apply(sizes)->Name("unglue join_curves, chain");
 BENCHMARK(handles_of_chain<Timed::glue>)->Apply(sizes)->Name("glue join_curves, chain");
-BENCHMARK(flip<Alone>)->Apply(sizes)->Name("flip");
+BENCHMARK(flip<NoObserver>)->Apply(sizes)->Name("flip");
 BENCHMARK(flip<Listens>)->Apply(sizes)->Name("flip, followed");
 BENCHMARK(split_and_weld<StellarCase::interior_edge, Half::split>)
     ->Apply(sizes)

@@ -80,8 +80,8 @@ constexpr Characteristic effect(StellarCase kind) {
 /// How many operators of each kind build (+1 each) or unbuild (-1 each) something: coordinates in
 /// the paper's basis H, with zip as a seventh. The seven are not independent (2 zip = 1b + 2).
 ///
-/// The cases of curves of one edge need no coordinate of their own: either is the glue of type 1
-/// that joins the curves, and a close, less a zip.
+/// The cases of curves of one edge need no coordinate of their own: each counts as the glue of type
+/// 1 that joins the curves, plus a close, minus a zip.
 struct OperatorCounts {
   std::int64_t create = 0;           ///< type 0
   std::int64_t join_components = 0;  ///< type 1a
@@ -134,8 +134,9 @@ inline constexpr std::array<std::array<std::int64_t, 6>, 6> lambda_inverse_matri
 /// Λ: the counts these operators make of nothing.
 Characteristic lambda(const OperatorCounts& counts);
 
-/// Λ⁻¹: the operators that build these counts when exactly `zips` of them are zips. Nothing when
-/// no whole numbers do: zip is half a 1b and half a 2, so `zips` has the right parity or the wrong.
+/// Λ⁻¹: the operators that build these counts when exactly `zips` of them are zips. Nothing if
+/// these are no whole numbers: a zip is half a 1b and half a 2, so `zips` must have the right
+/// parity.
 std::optional<OperatorCounts> lambda_inverse(const Characteristic& counts, std::int64_t zips = 0);
 
 }  // namespace clers

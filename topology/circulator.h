@@ -100,7 +100,7 @@ class NeighbourCursor : public CirculatorCursor<Step> {
   Vertex centre_;
 };
 
-/// The ids among 0 .. limit-1 of which Which holds, in order.
+/// The ids among 0 .. limit-1 for which Which::holds, in order.
 template <class Which, class IdType>
 class FilterCursor {
  public:

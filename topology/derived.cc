@@ -17,7 +17,7 @@ Result<Detached, Violation> detach(Surface& surface, HalfEdge h) {
   for (const HalfEdge side : {h, lnext(h), lprev(h)}) {
     const HalfEdge twin = surface.sym(side);
     if (!twin) continue;
-    done.cuts_[done.count_++] = {*surface.unglue(side), side, twin};
+    done.unglued_[done.count_++] = {*surface.unglue(side), side, twin};
   }
   done.points_ = *surface.destroy(left(h));
   return done;

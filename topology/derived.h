@@ -23,7 +23,7 @@ namespace clers {
 Result<Face, Violation> attach(Surface& surface, HalfEdge h, Point apex);
 
 /// One unglue that detach did, to be undone by glue(h, twin).
-struct Cut {
+struct Unglued {
   HandleCase undone = HandleCase::zip;
   HalfEdge h, twin;
 };
@@ -31,23 +31,24 @@ struct Cut {
 /// What detach did, in this order; then it destroyed the face.
 class Detached {
  public:
-  std::span<const Cut> cuts() const { return std::span(cuts_).first(count_); }
+  std::span<const Unglued> unglued() const { return std::span(unglued_).first(count_); }
   const std::array<Point, 3>& points() const { return points_; }  ///< of corners 0, 1, 2
 
  private:
   friend Result<Detached, Violation> detach(Surface&, HalfEdge);
-  std::array<Cut, 3> cuts_;
+  std::array<Unglued, 3> unglued_;
   unsigned count_ = 0;
   std::array<Point, 3> points_;
 };
 
-/// Takes the face left of h away, wherever it is: cuts its interior edges in the order h, lnext(h),
-/// lprev(h), then destroys it. The order decides which cases the cuts are (not their sum): ungluing
-/// an edge with both ends inside first makes a curve that the next cut goes on along.
+/// Removes the face left of h, wherever it is: unglues its interior edges in the order h, lnext(h),
+/// lprev(h), then destroys it. The order decides which cases the unglues are (not their sum): if
+/// the first edge has both ends inside, it opens a curve that the next one lengthens. (The paper
+/// destroys inside the loop: errata.md.)
 ///
-/// Precondition: `live_half_edge`. Effect: the negative of the cuts' and of create's. Inverse:
-/// create on points(), then the glues of the cuts, last first. Cost: up to three unglues. Ids:
-/// those of the face, and of vertices only it had, are freed; else as unglue says.
+/// Precondition: `live_half_edge`. Effect: the negative of the glues' and of create's. Inverse:
+/// create on points(), then the glues of unglued(), last first. Cost: up to three unglues. Ids:
+/// those of the face, and of vertices that no other face has, are freed; else as unglue says.
 Result<Detached, Violation> detach(Surface& surface, HalfEdge h);
 
 /// The same from the face's corner 0.

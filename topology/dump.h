@@ -8,8 +8,8 @@
 
 namespace clers {
 
-/// Everything of a surface that its queries tell, a line an element: counts, faces with their
-/// origins, twins and component, vertices, curves. For people and for comparing before and after.
+/// All that a surface's queries return, one line for each element: counts, faces with their
+/// origins, twins and component, vertices, curves. For people, and to compare before and after.
 std::string dump(const Surface& surface);
 
 /// C++ that makes the surface by Surface::from_twins under the name `surface`: for a test. Dead ids

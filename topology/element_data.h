@@ -18,17 +18,19 @@ namespace clers {
 ///     surface.split(h, p);   // area[v] is still 1, and the new vertex has 0.
 ///
 /// What elements have after an operator (surface.h):
-///   vertices    made by create or split  the initial value
-///               copies made by unglue    that of the vertex they are copies of
-///               merged by glue           that of h0's end, as its point
-///   faces       made by create           the initial value
-///               made by split            that of the face they are parts of
-///   half-edges  value by side of an edge: it stays with the side when flip, split and weld give
-///   the
-///               side another id; both parts of a split edge have its value, a welded edge has that
-///               of its part at the origin of Welded::at; sides that are new have the initial value
-/// Values that are to be computed when elements are made, such as positions, are set afterwards, or
-/// by an observer (follow.h). What a dead id has does not matter.
+///
+///     vertices     made by create or split  the initial value
+///                  copies made by unglue    that of the vertex they are copies of
+///                  merged by glue           that of h0's end, as its point
+///     faces        made by create           the initial value
+///                  made by split            that of the face they are parts of
+///     half-edges   new sides                the initial value
+///                  old ones                 their own, by whatever id a flip, split or weld calls them
+///                  halves of a split edge   that of the whole edge's side
+///                  a welded edge            that of its half at the origin of Welded::at
+///
+/// Values that depend on where elements are made, such as positions, are set afterwards, or by an
+/// observer (follow.h). The value of a dead id is unspecified.
 ///
 /// Cost: that of one virtual call for every element made or moved; a surface without containers
 /// pays a comparison. Memory: a T for each id below the limit. Attaching a container is an edit of

@@ -15,12 +15,12 @@ struct Correspondence {
   std::vector<Vertex> vertices;      ///< by vertex of the first
 };
 
-/// A renumbering of faces, their corners (rotated) and vertices that makes `a` into `b` with its
-/// orientation, or nothing if there is none. Points do not matter.
+/// A renumbering of faces, their corners (rotated) and vertices that turns `a` into `b` and keeps
+/// the orientation, or nothing if there is none. Points do not matter.
 ///
-/// Two components are compared from one half-edge on by a walk that must fit everywhere; tried are
-/// the half-edges of the rarest neighbourhood. O(F log F) when few look alike; a regular surface
-/// that is almost but not quite the other may cost up to O(F^2).
+/// Two components are compared by a walk that starts from one half-edge and must fit everywhere; it
+/// is tried from each half-edge of the rarest neighbourhood. O(F log F) when few look alike; up to
+/// O(F^2) for a regular surface that is almost the other.
 std::optional<Correspondence> equivalent(const Surface& a, const Surface& b);
 
 /// Is there a homeomorphism? By the classification of surfaces (Theorem 2) there is one if the

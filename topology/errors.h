@@ -13,7 +13,7 @@ enum class Precondition : std::uint8_t {
   live_half_edge,         ///< the half-edge is one of a face that exists
   boundary_edge,          ///< the edge is on the boundary (glue, attach)
   interior_edge,          ///< the edge is not on the boundary (unglue, flip)
-  two_half_edges,         ///< a half-edge is not glued to itself
+  two_half_edges,         ///< the two half-edges differ (glue, split_vertex)
   all_edges_on_boundary,  ///< no edge of the face is glued (destroy)
   ids_left,               ///< fewer than max_faces faces
   live_vertex,            ///< the vertex exists

@@ -29,8 +29,8 @@ Change Change::of_split(const Surface& after, HalfEdge h, HalfEdge twin, Vertex 
     }
     c.parts_[c.part_count_++] = {fresh, f};
     if (side == h) {
-      c.amid_[c.amid_count_++] = after.org(half_edge(f, 2));
-      c.amid_[c.amid_count_++] = after.org(half_edge(fresh, 1));
+      c.between_[c.between_count_++] = after.org(half_edge(f, 2));
+      c.between_[c.between_count_++] = after.org(half_edge(fresh, 1));
     }
   }
   return c;
@@ -46,7 +46,7 @@ Change Change::of_split(const Surface& after, Face f, Vertex v) {
     c.slot(half_edge(part, 1), half_edge(f, i), half_edge(f, i));
     c.slot(half_edge(part, 2), HalfEdge(), half_edge(f, (i + 1) % 3));
     if (i != 0) c.parts_[c.part_count_++] = {part, f};
-    c.amid_[c.amid_count_++] = after.org(half_edge(part, 1));
+    c.between_[c.between_count_++] = after.org(half_edge(part, 1));
     part = left(after.sym(half_edge(part, 2)));
   }
   return c;

@@ -1,4 +1,6 @@
-// Attributes that follow the stellar operators.
+// What a stellar operator changed, for whoever keeps values by element: observers of operators.
+//
+// Values that need no more than to stay with their elements: element_data.h.
 #ifndef CLERS_TOPOLOGY_FOLLOW_H
 #define CLERS_TOPOLOGY_FOLLOW_H
 
@@ -11,14 +13,14 @@
 namespace clers {
 
 /// What a stellar operator did to the elements around it, for values that callers keep by corner,
-/// side, face or vertex. What it does not name is as it was. All of it happens at once: a half-edge
-/// may be named both as what was and as what is.
+/// side, face or vertex. What it does not name is unchanged. All moves happen at once: a half-edge
+/// may be named both as an old one and as a new one.
 class Change {
  public:
   /// A half-edge of a face that has changed. As a corner (of left(at), at org(at)) its value is the
-  /// mean of those that the corners in `corners()` had: one, or the two or three amid which a new
-  /// vertex lies. As a side it lies along what was `side`, null if its edge is new;
-  /// a welded edge takes after its half at the origin of Welded::at.
+  /// mean of the old values of `corners()`: one, or the two or three between which a new vertex was
+  /// put. As a side it has the old value of `side`, null if its edge is new; a welded edge has that
+  /// of its half at the origin of Welded::at.
   struct Slot {
     HalfEdge at, side;
     std::array<HalfEdge, 3> from;
@@ -32,10 +34,11 @@ class Change {
 
   std::span<const Slot> slots() const { return std::span(slots_).first(slot_count_); }
   std::span<const Part> parts() const { return std::span(parts_).first(part_count_); }
-  /// Of a split: the new vertex, and the ends or corners amid which it lies. Null, and none.
+  /// Of a split: the new vertex, and the ends or corners between which it was put. Else null and
+  /// none.
   Vertex made() const { return made_; }
-  std::span<const Vertex> amid() const { return std::span(amid_).first(amid_count_); }
-  /// Of a weld: the vertex and the faces that are no more. Null, and none.
+  std::span<const Vertex> between() const { return std::span(between_).first(between_count_); }
+  /// Of a weld: the vertex and the faces that were removed. Else null and none.
   Vertex gone() const { return gone_; }
   std::span<const Face> gone_faces() const { return std::span(gone_faces_).first(gone_count_); }
 
@@ -51,51 +54,51 @@ class Change {
 
   std::array<Slot, 12> slots_;
   std::array<Part, 2> parts_;
-  std::array<Vertex, 3> amid_;
+  std::array<Vertex, 3> between_;
   std::array<Face, 2> gone_faces_;
   Vertex made_, gone_;
-  std::uint8_t slot_count_ = 0, part_count_ = 0, amid_count_ = 0, gone_count_ = 0;
+  std::uint8_t slot_count_ = 0, part_count_ = 0, between_count_ = 0, gone_count_ = 0;
 };
 
-/// Follows nothing, and costs nothing: the operators below then are those of the surface.
-struct Alone {};
+/// Observes nothing, and costs nothing: the operators below then are those of the surface.
+struct NoObserver {};
 
-template <class Follow>
-inline constexpr bool follows = !std::is_same_v<std::remove_cvref_t<Follow>, Alone>;
+template <class Observer>
+inline constexpr bool observes = !std::is_same_v<std::remove_cvref_t<Observer>, NoObserver>;
 
-/// The stellar operators of the surface; `follow` is called with the Change once each is done.
-/// Refusals are not told. What a Follow throws, the operator has happened.
-template <class Follow = Alone>
-Result<Done, Violation> flip(Surface& surface, HalfEdge h, Follow&& follow = {}) {
+/// The stellar operators of the surface. `observer` is called with the Change after each that was
+/// not refused. If it throws, the operator has been applied all the same.
+template <class Observer = NoObserver>
+Result<Done, Violation> flip(Surface& surface, HalfEdge h, Observer&& observer = {}) {
   const Result<Done, Violation> done = surface.flip(h);
-  if constexpr (follows<Follow>)
-    if (done) follow(Change::of_flip(h, surface.sym(h)));
+  if constexpr (observes<Observer>)
+    if (done) observer(Change::of_flip(h, surface.sym(h)));
   return done;
 }
-template <class Follow = Alone>
-Result<Vertex, Violation> split(Surface& surface, HalfEdge h, Point p, Follow&& follow = {}) {
-  if constexpr (follows<Follow>) {
+template <class Observer = NoObserver>
+Result<Vertex, Violation> split(Surface& surface, HalfEdge h, Point p, Observer&& observer = {}) {
+  if constexpr (observes<Observer>) {
     const HalfEdge twin = surface.is_live(h) ? surface.sym(h) : HalfEdge();
     const Result<Vertex, Violation> v = surface.split(h, p);
-    if (v) follow(Change::of_split(surface, h, twin, *v));
+    if (v) observer(Change::of_split(surface, h, twin, *v));
     return v;
   } else {
     return surface.split(h, p);
   }
 }
-template <class Follow = Alone>
-Result<Vertex, Violation> split(Surface& surface, Face f, Point p, Follow&& follow = {}) {
+template <class Observer = NoObserver>
+Result<Vertex, Violation> split(Surface& surface, Face f, Point p, Observer&& observer = {}) {
   const Result<Vertex, Violation> v = surface.split(f, p);
-  if constexpr (follows<Follow>)
-    if (v) follow(Change::of_split(surface, f, *v));
+  if constexpr (observes<Observer>)
+    if (v) observer(Change::of_split(surface, f, *v));
   return v;
 }
-template <class Follow = Alone>
-Result<Welded, Violation> weld(Surface& surface, HalfEdge h, Follow&& follow = {}) {
-  if constexpr (follows<Follow>) {
+template <class Observer = NoObserver>
+Result<Welded, Violation> weld(Surface& surface, HalfEdge h, Observer&& observer = {}) {
+  if constexpr (observes<Observer>) {
     const Change change = surface.can_weld(h) ? Change::of_weld(surface, h) : Change();
     const Result<Welded, Violation> done = surface.weld(h);
-    if (done) follow(change);
+    if (done) observer(change);
     return done;
   } else {
     return surface.weld(h);

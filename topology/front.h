@@ -45,7 +45,7 @@ struct FrontLink {
   std::uint32_t valence;  ///< triangles it has so far
 };
 
-/// Pairing that is not interested.
+/// Pairing that keeps nothing.
 struct NoPairing {
   struct Edge {};  ///< a boundary half-edge, as far as this policy wants to know it
   /// Operators, when they are done: a triangle on three new vertices from this one on; a triangle
@@ -160,8 +160,8 @@ class Front {
     pairing_->join(g.edge, pairing_->edge_into(Vertex(g.x)), HandleCase::close);
   }
 
-  /// No operator: nothing will be built at the gate any more, nor at a hole, of each of which a
-  /// vertex is given. Before close, if that comes.
+  /// No operator: nothing more will be built at the gate, nor at any of the holes, each given by
+  /// one of its vertices. To be called before close, if the component is closed.
   void end_component(Gate g, std::span<const std::uint32_t> holes) {
     pairing_->component_ends(links_, g, holes);
   }

@@ -3,7 +3,7 @@
 
 namespace clers {
 
-/// By how the two lie on the boundary curves alone: vertices coincide in ways that say nothing.
+/// By the positions of the two on the boundary curves alone: which vertices coincide says nothing.
 HandleCase Surface::classify(HalfEdge h0, HalfEdge h1) const {
   if (same_boundary(h0, h1)) {
     const bool after = boundary_next(h0) == h1, before = boundary_next(h1) == h0;
@@ -44,7 +44,7 @@ Vertex Surface::merge_fans(std::span<const HalfEdge> starts) {
 ///
 ///     ---p--> . --h0--> . --q-->            p is followed by s, r by q. On two curves that makes
 ///             .         .                   one; on one curve, h0 q .. r h1 s .. p, it makes two,
-///     <--s--- . <--h1-- . <--r--            of which either or both may be empty.
+///     <--s--- . <--h1-- . <--r--            and either or both may be empty.
 void Surface::splice_for_glue(HalfEdge h0, HalfEdge h1) {
   const Curve c0 = curve(h0), c1 = curve(h1);
   if (c0 == c1) {

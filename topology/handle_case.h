@@ -1,4 +1,4 @@
-// The cases of the handle operators (paper §5.1), as glue and unglue find them.
+// The cases of the handle operators (CAGD 2010, §5.1), as glue and unglue find them.
 #ifndef CLERS_TOPOLOGY_HANDLE_CASE_H
 #define CLERS_TOPOLOGY_HANDLE_CASE_H
 

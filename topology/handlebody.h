@@ -27,10 +27,9 @@ struct Handlebody {
   OperatorCounts counts() const;
 };
 
-/// Unbuilds a surface down to nothing as the proof of Theorem 11 does: unglue of every interior
-/// edge, in the order of half-edges, then destroy of every face. The reverse of what it did is
-/// returned. The cost is that of the operators, O(F log F) while cuts that may separate fall on
-/// genus 0.
+/// Unbuilds a surface down to nothing as the proof of Theorem 11 does: unglues every interior edge,
+/// in the order of half-edges, then destroys every face. Returns the reverse of what it did. The
+/// cost is that of the operators: O(F log F) if every cut that may separate falls on genus 0.
 Handlebody unbuild(Surface& surface);
 
 /// Builds what `unbuild` unbuilt, by create and glue: a surface equivalent to it, on the same

@@ -62,8 +62,8 @@ class Tracing {
   OperatorTrace trace;
 };
 
-/// Validates a surface after every operator while it is small, and then so rarely that the cost an
-/// operator stays that of looking at sixteen faces.
+/// Validates a surface after every operator while it is small, and later so rarely that the cost
+/// per operator stays that of looking at sixteen faces.
 class Validating {
  public:
   bool valid_now_and_then(const Surface& surface) {
@@ -100,8 +100,8 @@ class BuildingMirror {
     make(f, points[0], points[1], points[2]);
     join(gate, side(f, i), HandleCase::join_components);
   }
-  /// Vertices that merge have one point; but S merges the origin of b into the end of a, two copies
-  /// of which only one is to be found on the front any more.
+  /// Vertices that merge have one point; except that S merges the origin of b into the end of a,
+  /// two copies of one vertex, of which the front keeps the latter.
   void join(Edge a, Edge b, HandleCase as) {
     if (!agrees || !surface.is_live(a) || !surface.is_live(b)) return agree(false);
     agree(point(surface.org(a)) == point(surface.dest(b)));
@@ -118,9 +118,9 @@ class BuildingMirror {
   void set_edge_into(Vertex v, Edge e) { into_[v.index()] = e; }
   Edge side(Face f, unsigned i) const { return half_edge(f, i); }
 
-  /// The gate's curve is that of the front, link by link: all of it while curves are short, and
-  /// then so often that the cost an operator stays that of sixteen links; near the gate, where the
-  /// next operator reads it, always.
+  /// Compares the gate's curve with the front's, link by link: all of it while curves are short,
+  /// and on longer ones so rarely that the cost per operator stays that of sixteen links; the four
+  /// links nearest to the gate, which the next operators read, always.
   template <class Gate>
   void moved(const FrontLink* links, const Gate& gate) {
     if (!is_at(gate)) return agree(false);
@@ -131,7 +131,8 @@ class BuildingMirror {
     agree(same_links(links, gate.edge, gate.x, gate.y,
                      whole ? length - 1 : std::min(length - 1, 4u)));
   }
-  /// All that is left of the component's boundary, and nothing is owed: see in_another_order.
+  /// Compares all that is left of the component's boundary. No handle is owed: see
+  /// in_another_order.
   template <class Gate>
   void component_ends(const FrontLink* links, const Gate& gate,
                       std::span<const std::uint32_t> holes) {

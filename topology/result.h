@@ -16,7 +16,7 @@ struct Failure {
 template <class E>
 Failure(E) -> Failure<E>;
 
-/// A T, or the E that says why there is none. Never empty.
+/// A T, or the E that says why there is no T. Never empty.
 template <class T, class E>
 class [[nodiscard]] Result {
  public:

@@ -73,15 +73,15 @@ class Rings {
     while (before && after) {
       if (priority(before) > priority(after)) {
         at(before).size += at(after).size;
-        hang(before, parent, link);
+        link_child(before, parent, link);
         parent = before, link = &at(before).upper, before = *link;
       } else {
         at(after).size += at(before).size;
-        hang(after, parent, link);
+        link_child(after, parent, link);
         parent = after, link = &at(after).lower, after = *link;
       }
     }
-    hang(before ? before : after, parent, link);
+    link_child(before ? before : after, parent, link);
     return result;
   }
 
@@ -93,7 +93,7 @@ class Rings {
     at(h).parent = HalfEdge();
     at(h).curve = Curve();
     at(h).size -= size(before);
-    // Each ancestor goes, with the subtree on its far side, to the part it lies in.
+    // Each ancestor goes, with the subtree on its far side, to the part it is in.
     while (up) {
       const HalfEdge next = at(up).parent;
       const bool was_lower = at(up).lower == child;
@@ -148,7 +148,7 @@ class Rings {
     while (at(tree).upper) tree = at(tree).upper;
     return tree;
   }
-  void hang(HalfEdge child, HalfEdge parent, HalfEdge* link) {
+  void link_child(HalfEdge child, HalfEdge parent, HalfEdge* link) {
     *link = child;
     if (!child) return;
     at(child).parent = parent;

@@ -1,6 +1,6 @@
 // Operators composed of stellar ones (Topological mesh operators, §5.2.4 and §6.4).
 //
-// Each takes a Follow last (follow.h), which hears of every flip, split and weld.
+// Each takes an observer last (follow.h), which is called for every flip, split and weld.
 #ifndef CLERS_TOPOLOGY_STELLAR_H
 #define CLERS_TOPOLOGY_STELLAR_H
 
@@ -25,24 +25,25 @@ std::optional<Violation> refuse_remove(const Surface& surface, Vertex v, std::ui
 /// Why split_vertex is not possible, or nothing.
 std::optional<Violation> refuse_split_vertex(const Surface& surface, HalfEdge from, HalfEdge to);
 
-/// 0 if the flip of h joins two vertices that no edge joins yet, else 1. By this cost, remove keeps
-/// a simplicial complex one where it can: on a sphere always, for one of any two flips that follow
-/// each other around the vertex costs 0. Cost: the lower of the degrees of what opposes h.
+/// 0 if the flip of h joins two vertices that no edge joins yet, else 1. With this cost, remove
+/// keeps a simplicial complex one where it can: on a sphere always, since one of any two flips that
+/// follow each other around the vertex costs 0. Cost: the lower degree of the two vertices that
+/// oppose h.
 int doubles_an_edge(const Surface& surface, HalfEdge h);
 
-/// Takes a vertex away: flips edges of its star until it has `degree` of them, then welds it. Each
-/// time the edge flipped is that inside the surface for which cost(surface, h) is least, h leaving
+/// Removes a vertex: flips edges of its star until it has `degree` of them, then welds it. The edge
+/// that is flipped each time is the interior one with the least cost(surface, h), where h leaves
 /// the vertex; the first of equals. The weld is the surface's: of degree 4 through the star
-/// half-edge. For example by the aspect ratios of the triangles that the flip would make (§6.4).
+/// half-edge. A cost may be the aspect ratios of the triangles that the flip would make (§6.4).
 ///
 /// Preconditions: `live_vertex`, `simple_star`, `weld_degree`: `degree` is 3, or 4 inside, and the
 /// vertex has as many edges or more. Effect on (v,e,f,b,g,s): the negative of the split's that the
 /// weld undoes: (-1,-3,-2,0,0,0), or of a vertex on the boundary (-1,-2,-1,0,0,0). Inverse: the
-/// split that Welded tells, then the flips. Cost: O(1) flips and calls of `cost` for each edge
+/// split that Welded names, then the flips. Cost: O(1) flips and calls of `cost` for each edge
 /// above `degree`, times the edges. Ids: as flip and weld say.
-template <class Cost, class Follow = Alone>
+template <class Cost, class Observer = NoObserver>
 Result<Welded, Violation> remove(Surface& surface, Vertex v, std::uint32_t degree, Cost&& cost,
-                                 Follow&& follow = {}) {
+                                 Observer&& observer = {}) {
   if (const auto why = refuse_remove(surface, v, degree)) return Failure{*why};
   surface.reserve(0, 0);  // the weld must not fail when the flips are done
   while (surface.degree(v) > degree) {
@@ -54,16 +55,16 @@ Result<Welded, Violation> remove(Surface& surface, Vertex v, std::uint32_t degre
       if (best && !(price < least)) continue;
       best = h, least = price;
     }
-    (void)flip(surface, best, follow);
+    (void)flip(surface, best, observer);
   }
-  return weld(surface, surface.star_half_edge(v), follow);
+  return weld(surface, surface.star_half_edge(v), observer);
 }
 inline Result<Welded, Violation> remove(Surface& surface, Vertex v, std::uint32_t degree) {
   return remove(surface, v, degree, doubles_an_edge);
 }
 
 /// Contracts an edge: its origin is merged into its destination, its faces vanish (Fig. 12). Flips
-/// hand the origin's edges over one by one; the last three, or on the boundary, go by a weld.
+/// hand the origin's edges over one by one; a weld takes the last three, or those on the boundary.
 ///
 ///        x2 __ x1           x2 __ x1
 ///        / \  / \           / _/ / \         Merged into the vertex on the boundary, if only the
@@ -75,21 +76,21 @@ inline Result<Welded, Violation> remove(Surface& surface, Vertex v, std::uint32_
 /// boundary (-1,-2,-1,0,0,0). Inverse: split_vertex, up to ids. Cost: O(degree) flips besides
 /// link_condition. Ids: those of the vertex that is merged and of the faces that vanish are
 /// freed; which faces keep theirs follows from the flips. Returns the vertex that stays.
-template <class Follow = Alone>
-Result<Vertex, Violation> collapse(Surface& surface, HalfEdge h, Follow&& follow = {}) {
+template <class Observer = NoObserver>
+Result<Vertex, Violation> collapse(Surface& surface, HalfEdge h, Observer&& observer = {}) {
   if (const auto why = refuse_collapse(surface, h)) return Failure{*why};
   surface.reserve(0, 0);  // the weld must not fail when the flips are done
   if (surface.is_boundary(surface.org(h)) && !surface.is_boundary(surface.dest(h)))
     h = surface.sym(h);
   const Vertex u = surface.org(h), w = surface.dest(h);
   // An ear has no edge to hand over: it gets one.
-  if (surface.degree(u) == 2) (void)flip(surface, lnext(h), follow);
+  if (surface.degree(u) == 2) (void)flip(surface, lnext(h), observer);
   while (surface.degree(u) > 3) {
     const HalfEdge next = surface.sym(lprev(h));
-    (void)flip(surface, next, follow);
+    (void)flip(surface, next, observer);
     h = lprev(next);  // the edge, turned along with the rim
   }
-  (void)weld(surface, surface.star_half_edge(u), follow);
+  (void)weld(surface, surface.star_half_edge(u), observer);
   return w;
 }
 
@@ -107,9 +108,9 @@ Result<Vertex, Violation> collapse(Surface& surface, HalfEdge h, Follow&& follow
 /// boundary), `two_half_edges`, `simple_star`, `ids_left`. Effect: (1,3,2,0,0,0), with `to` null
 /// (1,2,1,0,0,0). Inverse: collapse of the half-edge returned, which leads from the new vertex to
 /// w. Cost: O(corners given) flips, besides O(degree(w)). Ids: all stay valid.
-template <class Follow = Alone>
+template <class Observer = NoObserver>
 Result<HalfEdge, Violation> split_vertex(Surface& surface, HalfEdge from, HalfEdge to, Point p,
-                                         Follow&& follow = {}) {
+                                         Observer&& observer = {}) {
   if (const auto why = refuse_split_vertex(surface, from, to)) return Failure{*why};
   const Vertex w = surface.org(from);
   std::uint32_t corners = 0;
@@ -119,30 +120,30 @@ Result<HalfEdge, Violation> split_vertex(Surface& surface, HalfEdge from, HalfEd
   if (!to) {
     // Between w and what was before it on the boundary, then back to `from`.
     const HalfEdge before = lprev(last);
-    const Result<Vertex, Violation> u = split(surface, before, p, follow);
+    const Result<Vertex, Violation> u = split(surface, before, p, observer);
     if (!u) return Failure{u.error()};
     HalfEdge edge = lnext(surface.star_half_edge(*u));
     for (; corners > 1; --corners) {
-      (void)flip(surface, edge, follow);
+      (void)flip(surface, edge, observer);
       edge = lprev(edge);
     }
     return surface.star_half_edge(*u);
   }
   Vertex u;
   if (corners == 1) {
-    const Result<Vertex, Violation> made = split(surface, left(from), p, follow);
+    const Result<Vertex, Violation> made = split(surface, left(from), p, observer);
     if (!made) return Failure{made.error()};
     u = *made;
   } else {
     const HalfEdge second = surface.sym(lprev(from));
     const Face f = left(second);
-    const Result<Vertex, Violation> made = split(surface, second, p, follow);
+    const Result<Vertex, Violation> made = split(surface, second, p, observer);
     if (!made) return Failure{made.error()};
     u = *made;
     HalfEdge side = half_edge(f, 1);  // arrives at w, the last that u has not got
     for (; corners > 2; --corners) {
       const HalfEdge edge = surface.sym(side);
-      (void)flip(surface, edge, follow);
+      (void)flip(surface, edge, observer);
       side = lnext(edge);
     }
   }

@@ -1,4 +1,5 @@
-// The cases of the stellar operators that change the resolution (paper §5.2), as weld finds them.
+// The cases of the stellar operators that change the resolution (CAGD 2010, §5.2), as weld finds
+// them.
 #ifndef CLERS_TOPOLOGY_STELLAR_CASE_H
 #define CLERS_TOPOLOGY_STELLAR_CASE_H
 

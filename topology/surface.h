@@ -22,14 +22,15 @@ namespace clers {
 
 class Change;  // follow.h
 
-/// What a weld undid, and what splits it again.
+/// What a weld undid, and how to split again.
 struct Welded {
   StellarCase undone = StellarCase::face;
   HalfEdge at;  ///< split(at, point) undoes the weld; of a face: split(left(at), point)
   Point point;  ///< the vertex's
 };
 
-/// What compress made of the old ids, by old id; null of dead ones. A half-edge keeps its corner.
+/// The new ids that compress gave, by old id; null where that was dead. Half-edge i of face f is
+/// now half-edge i of faces[f].
 struct Compressed {
   std::vector<Face> faces;
   std::vector<Vertex> vertices;
@@ -43,28 +44,28 @@ struct Compressed {
 ///                 c
 ///                / \                   The half-edge 3f+i runs from corner i to corner i+1 of the
 ///       3f+2   /     \   3f+1          face f, which is on its left; lnext and lprev (ids.h) go
-///            /    f    \               round the face. Its twin is the other side of its edge, or
+///            /    f    \               around the face. Its twin is the other side of its edge, or
 ///           a --------- b              null: then the edge is on the boundary and its half-edge
 ///               3f+0                   is on a boundary curve, which runs the same way.
 ///
 /// A surface is any set of triangles glued along edges, not only a simplicial complex: two
-/// triangles may share all three edges, two edges both ends, an edge may begin and end at one
-/// vertex, a triangle be glued to itself, a boundary curve have one edge or two. Every vertex has
-/// one fan of corners.
+/// triangles may share all three edges, two edges may share both ends, an edge may begin and end at
+/// one vertex, a triangle may be glued to itself, a boundary curve may have one edge or two. Every
+/// vertex has one fan of corners.
 ///
 /// A vertex carries a point (Appendix A): what its copies share after a cut. Points are the
-/// caller's numbers; the surface never looks at them.
+/// caller's numbers; the surface never interprets them.
 ///
 /// Ids of faces, vertices, curves and components are reused, the last one freed first. An operator
-/// keeps every id that its documentation does not speak of, and always the order of corners.
+/// keeps every id that its documentation does not mention, and always the order of corners.
 ///
-/// Values of one's own by vertex, face or half-edge: element_data.h.
+/// For values by vertex, face or half-edge that follow the operators see element_data.h.
 ///
 /// Queries need live arguments (`is_live`); operators check theirs and refuse with a Violation.
 /// When memory runs out an operator throws std::bad_alloc before it has changed anything.
 ///
-/// F, B and n stand for the numbers of faces, of boundary edges, and of edges of the curves at
-/// hand.
+/// In costs F, V and B are the numbers of faces, vertices and boundary edges, n that of the edges
+/// of the curves involved.
 class Surface {
  public:
   // Elements ----------------------------------------------------------------------------------
@@ -101,7 +102,7 @@ class Surface {
 
   bool is_boundary(HalfEdge h) const { return !sym(h); }
   bool is_boundary(Vertex v) const { return is_boundary(star_[v.index()]); }
-  /// Has the face an edge on the boundary?
+  /// Does the face have an edge on the boundary?
   bool is_boundary(Face f) const {
     return is_boundary(half_edge(f, 0)) || is_boundary(half_edge(f, 1)) ||
            is_boundary(half_edge(f, 2));
@@ -112,7 +113,7 @@ class Surface {
   /// Are these two sides, or the same side, of one edge?
   bool same_edge(HalfEdge a, HalfEdge b) const { return edge(a) == edge(b); }
 
-  /// The end of the edge that v, one of its ends, is not; v of a loop.
+  /// The other end of an edge of which v is one; v itself if the edge is a loop.
   Vertex other_end(HalfEdge h, Vertex v) const { return org(h) == v ? dest(h) : org(h); }
   /// Edge ends at the vertex: a loop edge counts twice.
   std::uint32_t degree(Vertex v) const { return corners_[v.index()] + (is_boundary(v) ? 1u : 0u); }
@@ -135,7 +136,8 @@ class Surface {
   /// Some half-edge on a curve.
   HalfEdge on_curve(Curve c) const { return ring_[c.index()]; }
 
-  /// Has every face at v only one corner there? Then no edge of the star is a loop. O(degree).
+  /// Does every face at v have only one corner there? Then no edge of the star is a loop.
+  /// O(degree).
   bool has_simple_star(Vertex v) const;
   /// Is there a split that weld(h) would undo? O(1).
   bool can_weld(HalfEdge h) const { return !refuse_weld(h); }
@@ -147,17 +149,17 @@ class Surface {
   const Characteristic& characteristic(Component k) const { return counts_[k.index()]; }
   std::int64_t genus() const { return total_.g; }
 
-  // Circulators (§2.1, §6.1): ranges of half-edges, counterclockwise, that allocate nothing. Of
-  // live elements; they hold until the next operator.
+  // Circulators (§2.1, §6.1): ranges of half-edges, counterclockwise, that allocate nothing. They
+  // are valid until the next operator.
 
   /// One half-edge leaving v for each corner of v: left() of it is the face.
   auto fan(Vertex v) const { return circulate<AroundVertex>(star_[v.index()], corner_count(v)); }
-  /// The edges of v's star, degree(v) of them, each by a half-edge that leaves v; but the last one
-  /// of a boundary vertex arrives at v, having no side that leaves.
+  /// The edges of v's star, degree(v) of them, each by a half-edge that leaves v; except that the
+  /// last one of a boundary vertex arrives at v, since that edge has no side that leaves.
   auto star(Vertex v) const { return circulate<AroundVertex>(star_[v.index()], degree(v)); }
-  /// The vertices at the other ends of v's edges, in the order of star(v), degree(v) of them. Each
-  /// is there once for every edge that joins it to v, and v itself twice for every loop: once each,
-  /// and never v, if the surface is a simplicial complex.
+  /// The vertices at the other ends of v's edges, in the order of star(v), degree(v) of them. In a
+  /// simplicial complex each neighbour comes once; elsewhere once for every edge that joins it to
+  /// v, and v itself twice for every loop.
   auto adjacent_vertices(Vertex v) const {
     return ElementRange(NeighbourCursor<AroundVertex>(*this, v, star_[v.index()], degree(v)));
   }
@@ -202,8 +204,8 @@ class Surface {
   ///          :         :            or as          |          : h0 and h1 now are twins,
   ///     <--- y <--h1-- x <---               <--- w <---       : u = y, w = x
   ///
-  /// The case follows from how h0 and h1 lie on the boundary curves, never from the vertices they
-  /// share: those of two edges may coincide in every case.
+  /// The case follows from the positions of h0 and h1 on the boundary curves, never from the
+  /// vertices they share: the ends of two edges may coincide in every case (errata.md).
   ///
   ///   one curve   h0, h1 are all of it               close            (0,-1,0,-1,0,0)     type 2
   ///               neighbours, more edges remain      zip              (-1,-1,0,0,0,0)
@@ -218,12 +220,12 @@ class Surface {
   /// Cost: O(log n) for the curves, plus the smaller of any two fans of corners that meet, plus the
   /// faces of the smaller component in join_components.
   /// Ids: all of faces and half-edges stay. Of vertices that merge the one with most corners stays
-  /// (h0's if equal), and carries the point of h0's end; a loop edge's only vertex counts as
-  /// origin. Curves: joined and zipped ones keep the id of h0's; of a split one the part with
+  /// (h0's if equal), and carries the point of h0's end; the only vertex of a loop counts as
+  /// its origin. Curves: joined and zipped ones keep the id of h0's; of a split one the part with
   /// boundary_next(h0) is new. Components: the one with more faces stays (h0's if equal).
   Result<HandleCase, Violation> glue(HalfEdge h0, HalfEdge h1);
 
-  /// Cuts an interior edge into two boundary edges, and says which case of glue this undid.
+  /// Cuts an interior edge into two boundary edges, and says which case of glue that undid.
   ///
   ///   no end on the boundary   two ends                           close
   ///                            one, of a loop edge                one of the .._at_loops
@@ -245,11 +247,11 @@ class Surface {
   // Stellar operators (§5.2, §6.3) ----------------------------------------------------------------
   //
   // They change how a surface is triangulated, never its topology. A star is replaced by another
-  // with the same rim; how the rim is glued, even to itself, does not matter. Faces keep their
+  // with the same rim; what the rim is glued to, even itself, does not matter. Faces keep their
   // corners in an order that means something to hierarchies (Dynamic adaptive meshes, §5): in faces
-  // made by a split the new vertex is corner 0, so what opposes it is half-edge 1, an edge that was
-  // there before. Costs are O(1), as the paper says, but for the edges of the boundary that
-  // change their half-edge: O(log n) each.
+  // made by a split the new vertex is corner 0, so the side opposite is half-edge 1, an edge that
+  // was there before. Costs are O(1), as the paper says, plus O(log n) for each edge of the
+  // boundary whose half-edge changes.
 
   /// Turns the edge between two triangles counterclockwise (Fig. 3 b):
   ///
@@ -267,7 +269,7 @@ class Surface {
   /// Ids: all stay. The star half-edges of a and b, if they were the edge's, are the next ones.
   Result<Done, Violation> flip(HalfEdge h);
 
-  /// Puts a vertex on an edge, and joins it to what opposes the edge (stellar subdivision, Fig. 4
+  /// Puts a vertex on an edge, and joins it to the vertices opposite (stellar subdivision, Fig. 4
   /// and 5):
   ///
   ///          c                    c            f: (a b c) at h  ->  (v c a)    f': (v b c)
@@ -299,15 +301,15 @@ class Surface {
   /// half-edge leads to a.
   Result<Vertex, Violation> split(Face f, Point p);
 
-  /// Takes the vertex that h leaves away, undoing the split that could have made it: of a face if
-  /// three edges meet there; of an interior edge if four do: that which runs from dest(h) straight
-  /// through the vertex; of a boundary edge if the vertex is on the boundary and has three edges.
+  /// Removes the vertex that h leaves, undoing the split that could have made it: of a face if it
+  /// has three edges; of an interior edge, which runs from dest(h) straight through the vertex, if
+  /// it has four; of a boundary edge if the vertex is on the boundary and has three edges.
   ///
   /// Read the figures of the splits backwards; h leads to a. Faces f and g stay, with the edge a-b
   /// as half-edge 1 (of a boundary edge: f alone); of a face split f stays, with corner 0 at a.
   ///
   /// Preconditions: `live_half_edge`, `weld_degree`, `simple_star`. Effect: the negative of the
-  /// split's. Inverse: the split that Welded tells, which gives the vertex and faces the same ids
+  /// split's. Inverse: the split that Welded names, which gives the vertex and faces the same ids
   /// when it comes next. Cost: O(1). Ids: those of the vertex and of one or two faces are freed.
   Result<Welded, Violation> weld(HalfEdge h);
 
@@ -341,14 +343,14 @@ class Surface {
                                                 std::uint32_t vertex_count,
                                                 std::span<const Point> points = {});
 
-  /// Gives the elements the ids 0 .. n-1 of their kind, in the order of those they had: no id below
-  /// the limits is dead afterwards, and arrays are as small as they can be. Nothing else changes;
-  /// containers (element_data.h) follow. Returns which id became which.
-  /// Cost: O(ids + B log B).
+  /// Renumbers the elements of each kind 0 .. n-1, in the order of their ids: afterwards no id
+  /// below the limits is dead, and arrays are as small as they can be. Nothing else changes;
+  /// containers (element_data.h) follow. Returns which id became which. Throws std::bad_alloc,
+  /// having changed nothing, if there is no memory. Cost: O(ids + B log B).
   Compressed compress();
 
-  /// Makes room for so many faces and vertices more at once: operators that know what they will
-  /// make need not grow the arrays again and again. Changes nothing else.
+  /// Makes room for this many more faces and vertices at once, so that the arrays need not grow
+  /// again and again. Changes nothing else.
   void reserve(std::uint32_t faces, std::uint32_t vertices) {
     reserve_faces(faces);
     reserve_vertices(vertices);
@@ -414,7 +416,7 @@ class Surface {
   void reserve_curves(std::uint32_t count);
   void reserve_components(std::uint32_t count);
 
-  // What is new gets the values of `of`, if not null, in containers.
+  // In containers the new element gets the values of `of`, if not null.
   Face new_face(Face of = {});
   Vertex new_vertex(HalfEdge star, std::uint32_t corners, Point p, Vertex of = {});
   void new_curve(HalfEdge tree) { name_curve(tree, curves_.take()); }

@@ -1,5 +1,8 @@
 // Unbuilding at codec speed: unglue and detach on nothing but a table of twins.
 //
+// unglue is the operator of the paper, in any of its cases. detach(gate) is unglue(left side), then
+// unglue(right side), each if it is not on the boundary, then destroy(face).
+//
 // Edgebreaker asks of the surface only whether an edge is on the boundary; "the neighbour is
 // visited" is "the edge was unglued". Which case an unglue was (§5.1.2) is not needed to go on, and
 // turns out later: Spirale Reversi meets it again from the other side.

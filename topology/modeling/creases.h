@@ -11,9 +11,9 @@
 
 namespace clers {
 
-/// A set of edges, the creases, that follows the operators (follow.h): the parts of a split edge
+/// A set of edges, the creases, that observes the operators (follow.h): the parts of a split edge
 /// are creases if the edge was. The boundary is sharp without being marked: schemes treat both
-/// alike, as curves of their own that what is beside them does not pull at.
+/// alike, as curves whose points depend on points of the curve only.
 class Creases {
  public:
   void mark(const Surface& surface, HalfEdge h);
@@ -25,7 +25,7 @@ class Creases {
 
   void operator()(const Change& change);
 
-  // The operators, told to this set unless it is empty.
+  // The operators, observed by this set unless it is empty.
   auto split(Surface& surface, HalfEdge h, Point p) {
     return any_ ? clers::split(surface, h, p, *this) : surface.split(h, p);
   }
@@ -41,8 +41,8 @@ class Creases {
   bool any_ = false;
 };
 
-/// The sharp edges at a vertex: none or one (a dart ends there) and it is smooth, two and a curve
-/// runs through it, more and it is a corner, which stays.
+/// The sharp edges at a vertex. With none or one (a crease ends there) the vertex is smooth, with
+/// two a curve runs through it, with more it is a corner, which stays where it is.
 struct SharpEdges {
   unsigned count = 0;
   std::array<HalfEdge, 2> edges;  ///< the first two
@@ -53,7 +53,7 @@ struct SharpEdges {
 };
 SharpEdges sharp_edges(const Surface& surface, const Creases& creases, Vertex v);
 
-/// One half-edge of every edge, in their order: that without a twin, or the lower of the two.
+/// A list of surface.edges(), for loops that change the surface.
 std::vector<HalfEdge> edges_of(const Surface& surface);
 
 }  // namespace clers

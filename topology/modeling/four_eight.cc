@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "topology/modeling/masks.h"
+
 namespace clers {
 
 bool is_split_edge(const Surface& surface, HalfEdge h) {
@@ -56,12 +58,7 @@ void four_eight_vertex_mask(const Surface& surface, const Creases& creases, Vert
 
 void four_eight_edge_mask(const Surface& surface, const Creases& creases, HalfEdge h,
                           std::vector<Term>& mask) {
-  mask.clear();
-  const bool sharp = creases.is_sharp(surface, h);
-  for (const Vertex end : {surface.org(h), surface.dest(h)})
-    mask.push_back({end, sharp ? 0.5 : 0.25});
-  if (sharp) return;
-  for (const HalfEdge opposite : surface.link(h)) mask.push_back({surface.org(opposite), 0.25});
+  edge_mask(surface, creases, h, 0.25, mask);
 }
 
 }  // namespace clers

@@ -11,22 +11,23 @@
 
 namespace clers {
 
-/// A tri-quad mesh is made of blocks: two faces and the edge between them, the split edge, that is
-/// half-edge 1 on both sides; a face whose half-edge 1 is on the boundary is half a block.
-/// Numbering says it all, and the split of an edge keeps it so (surface.h): the paper's vertex 0,
-/// the weld vertex, is our corner 0, and its edge 0, which is opposite, our half-edge 1.
+/// A tri-quad mesh is made of blocks: two faces and the edge between them, the split edge, which is
+/// half-edge 1 on both sides; a face whose half-edge 1 is on the boundary is half a block. The
+/// numbering of corners alone makes a mesh tri-quad, and the split of an edge keeps it so
+/// (surface.h): the paper's vertex 0, the weld vertex, is our corner 0, and its edge 0, which is
+/// opposite, our half-edge 1.
 bool is_split_edge(const Surface& surface, HalfEdge h);
 /// The first edge that keeps the surface from being a tri-quad mesh: `tri_quad`.
 Result<Done, Violation> check_tri_quad(const Surface& surface);
 
-/// Pairs of faces, over the longest edges first, that share no face: the clusters of Program 5.
-/// Sharp edges lie between no pair. `lengths` by edge of `edges`; equal ones in the order of edges.
+/// Edges whose pairs of faces do not overlap, the longest edges first: the clusters of Program 5.
+/// No edge of a pair is sharp. `lengths` by edge of `edges`; equal ones in the order of edges.
 std::vector<HalfEdge> pair_faces(const Surface& surface, const Creases& creases,
                                  std::span<const HalfEdge> edges, std::span<const double> lengths);
 
 /// Makes any surface a tri-quad mesh (Program 5): splits the edge of every pair, and every face
-/// left over, so that all old edges, but those between pairs, are split edges. New vertices are
-/// amid the ends or corners, on the null point. From F faces in p pairs it makes 3F - 2p.
+/// that is in none, so that all old edges but those of pairs are split edges. New vertices are at
+/// the mean of the ends or corners, on the null point. F faces in p pairs become 3F - 2p.
 ///
 /// `length(surface, h)`: a double. Preconditions: `ids_left`; the geometry has values of all
 /// vertices. Memory: as subdivide_4_8. Cost: O(F log F). Ids: all stay valid.
@@ -54,8 +55,7 @@ Result<Done, Violation> make_tri_quad(Surface& surface, Geometry& geometry, Crea
     geometry.set(*creases.split(surface, h, Point()), std::move(value));
   }
   for (const Face f : single) {
-    mask.clear();
-    for (const HalfEdge h : surface.star(f)) mask.push_back({surface.org(h), 1. / 3});
+    face_mask(surface, f, mask);
     auto value = geometry.combine(mask);
     geometry.set(*creases.split(surface, f, Point()), std::move(value));
   }
@@ -72,7 +72,7 @@ void four_eight_edge_mask(const Surface& surface, const Creases& creases, HalfEd
                           std::vector<Term>& mask);
 
 /// One step: splits all split edges. F faces become 2F; b, g and s stay; two steps halve every
-/// edge. Works on surfaces that are no simplicial complex, too.
+/// edge. The surface need not be a simplicial complex.
 ///
 /// Preconditions: `ids_left`; `tri_quad`; the geometry has values of all vertices. When memory runs
 /// out it throws std::bad_alloc: the surface is valid, but may be partly subdivided. Cost: O(F),
@@ -84,15 +84,12 @@ Result<Done, Violation> subdivide_4_8(Surface& surface, Geometry& geometry, Crea
     return Failure{Violation{Precondition::ids_left, max_faces}};
   if (const auto ok = check_tri_quad(surface); !ok) return ok;
   std::vector<Term> mask;
-  Moves<Geometry> moves;
-  moves.reserve(static_cast<std::size_t>(surface.characteristic().v));
-  for (const Vertex v : surface.vertices()) {
-    four_eight_vertex_mask(surface, creases, v, mask);
-    moves.add(v, geometry, mask);
-  }
+  Moves<Geometry> moves(surface, geometry, [&](Vertex v, std::vector<Term>& of_v) {
+    four_eight_vertex_mask(surface, creases, v, of_v);
+  });
   surface.reserve(static_cast<std::uint32_t>(surface.characteristic().f),
                   static_cast<std::uint32_t>(surface.characteristic().f));
-  // Blocks share no face: each is whole when its turn comes, and new values are no one's input.
+  // Blocks share no face: each is whole when its turn comes, and no mask has new vertices.
   std::vector<HalfEdge> edges;
   edges.reserve(static_cast<std::size_t>(surface.characteristic().f));
   for (const Face f : surface.faces()) {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "topology/ids.h"
+#include "topology/surface.h"
 
 namespace clers {
 
@@ -16,17 +16,23 @@ struct Term {
   double weight = 0;
 };
 
+/// The mask of a vertex put into a face: the mean of its corners.
+inline void face_mask(const Surface& surface, Face f, std::vector<Term>& mask) {
+  mask.clear();
+  for (const HalfEdge h : surface.star(f)) mask.push_back({surface.org(h), 1. / 3});
+}
+
 /// A Geometry, which the functions of this directory take, has
 ///
 ///     using Value = ...;
 ///     Value combine(std::span<const Term> mask) const;  // of the values that vertices have now
 ///     void set(Vertex v, Value value);                  // v may be new
 ///
-/// combine may average, as Averaging does, or sample a surface near the average. Nothing is set
-/// before all that depends on the old values is combined.
+/// combine may average, as Averaging does, or sample a surface near the average. Everything that
+/// depends on old values is combined before anything is set.
 ///
 /// Averaging is the Geometry of values that are added and multiplied by numbers, and start from
-/// Value{}: positions, and whatever else lies beside them in a Value.
+/// Value{}: positions, and whatever else a Value has besides.
 template <class V>
 class Averaging {
  public:
@@ -53,16 +59,22 @@ class Averaging {
   std::vector<Value> values_;
 };
 
-/// Values that have been combined and wait until they may be set.
+/// New values of all old vertices, combined from the old values of all and set afterwards.
 template <class Geometry>
 class Moves {
  public:
-  void reserve(std::size_t n) { waiting_.reserve(n); }
-  void add(Vertex v, const Geometry& g, std::span<const Term> mask) {
-    waiting_.emplace_back(v, g.combine(mask));
+  /// `mask_of(v, mask)` writes the mask of v.
+  template <class MaskOf>
+  Moves(const Surface& surface, const Geometry& geometry, MaskOf&& mask_of) {
+    waiting_.reserve(static_cast<std::size_t>(surface.characteristic().v));
+    std::vector<Term> mask;
+    for (const Vertex v : surface.vertices()) {
+      mask_of(v, mask);
+      waiting_.emplace_back(v, geometry.combine(mask));
+    }
   }
-  void set(Geometry& g) {
-    for (auto& [v, value] : waiting_) g.set(v, std::move(value));
+  void set(Geometry& geometry) {
+    for (auto& [v, value] : waiting_) geometry.set(v, std::move(value));
   }
 
  private:

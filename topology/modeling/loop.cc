@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "topology/modeling/vertex_mask.h"
+#include "topology/modeling/masks.h"
 
 namespace clers {
 namespace {
@@ -30,12 +30,7 @@ void loop_vertex_mask(const Surface& surface, const Creases& creases, Vertex v,
 
 void loop_edge_mask(const Surface& surface, const Creases& creases, HalfEdge h,
                     std::vector<Term>& mask) {
-  mask.clear();
-  const bool sharp = creases.is_sharp(surface, h);
-  for (const Vertex end : {surface.org(h), surface.dest(h)})
-    mask.push_back({end, sharp ? 0.5 : 0.375});
-  if (sharp) return;
-  for (const HalfEdge opposite : surface.link(h)) mask.push_back({surface.org(opposite), 0.125});
+  edge_mask(surface, creases, h, 0.375, mask);
 }
 
 void loop_limit_mask(const Surface& surface, const Creases& creases, Vertex v,

@@ -1,4 +1,4 @@
-// Loop subdivision: one triangle becomes four, by edge splits and flips (paper §7.3).
+// Loop subdivision: one triangle becomes four, by edge splits and flips (CAGD 2010, §7.3).
 #ifndef CLERS_TOPOLOGY_MODELING_LOOP_H
 #define CLERS_TOPOLOGY_MODELING_LOOP_H
 
@@ -27,11 +27,11 @@ void loop_limit_mask(const Surface& surface, const Creases& creases, Vertex v,
 /// edges_of(surface).
 std::vector<Vertex> loop_refine(Surface& surface, Creases& creases,
                                 std::span<const HalfEdge> edges);
-/// Would there be more faces than ids, or is an edge the same face's on both sides?
+/// Are there ids for all new faces, and two faces at every interior edge?
 Result<Done, Violation> loop_check(const Surface& surface);
 
-/// One step. F faces become 4F; b, g and s stay. Works on surfaces that are no simplicial complex,
-/// too. New vertices are on the null point.
+/// One step. F faces become 4F; b, g and s stay. The surface need not be a simplicial
+/// complex. New vertices are on the null point.
 ///
 /// Preconditions: `ids_left`; `two_faces` of every interior edge; the geometry has values of all
 /// vertices. When memory runs out it throws std::bad_alloc: the surface is valid, but may be partly
@@ -40,12 +40,9 @@ template <class Geometry>
 Result<Done, Violation> subdivide_loop(Surface& surface, Geometry& geometry, Creases& creases) {
   if (const auto ok = loop_check(surface); !ok) return ok;
   std::vector<Term> mask;
-  Moves<Geometry> moves;
-  moves.reserve(static_cast<std::size_t>(surface.characteristic().v));
-  for (const Vertex v : surface.vertices()) {
-    loop_vertex_mask(surface, creases, v, mask);
-    moves.add(v, geometry, mask);
-  }
+  Moves<Geometry> moves(surface, geometry, [&](Vertex v, std::vector<Term>& of_v) {
+    loop_vertex_mask(surface, creases, v, of_v);
+  });
   const std::vector<HalfEdge> edges = edges_of(surface);
   std::vector<typename Geometry::Value> values;
   values.reserve(edges.size());

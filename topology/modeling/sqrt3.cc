@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "topology/modeling/vertex_mask.h"
+#include "topology/modeling/masks.h"
 
 namespace clers {
 namespace {
@@ -13,8 +13,8 @@ double alpha(std::uint32_t n) {
 }
 
 /// The mask of the vertex near `end` on the edge of h.
-void edge_mask(const Surface& s, const Creases& creases, HalfEdge h, Vertex end,
-               std::vector<Term>& mask) {
+void third_mask(const Surface& s, const Creases& creases, HalfEdge h, Vertex end,
+                std::vector<Term>& mask) {
   const Vertex other = s.other_end(h, end);
   const SharpEdges sharp = sharp_edges(s, creases, end);
   if (sharp.curve()) {
@@ -34,11 +34,11 @@ void sqrt3_vertex_mask(const Surface& surface, const Creases& creases, Vertex v,
 
 void sqrt3_edge_mask(const Surface& surface, const Creases& creases, HalfEdge h,
                      std::vector<Term>& mask) {
-  edge_mask(surface, creases, h, surface.org(h), mask);
+  third_mask(surface, creases, h, surface.org(h), mask);
 }
 void sqrt3_edge_mask_at_dest(const Surface& surface, const Creases& creases, HalfEdge h,
                              std::vector<Term>& mask) {
-  edge_mask(surface, creases, h, surface.dest(h), mask);
+  third_mask(surface, creases, h, surface.dest(h), mask);
 }
 
 void sqrt3_limit_mask(const Surface& surface, const Creases& creases, Vertex v,

@@ -1,4 +1,4 @@
-// Square root of 3 subdivision (Kobbelt 2000; paper §7.3, Algorithm 4, Fig. 15).
+// Square root of 3 subdivision (Kobbelt 2000; CAGD 2010, §7.3, Algorithm 4, Fig. 15).
 #ifndef CLERS_TOPOLOGY_MODELING_SQRT3_H
 #define CLERS_TOPOLOGY_MODELING_SQRT3_H
 
@@ -62,17 +62,13 @@ Result<Done, Violation> subdivide_sqrt3(Surface& surface, Geometry& geometry, Cr
   const auto plan = sqrt3_plan(surface, creases, step);
   if (!plan) return Failure{plan.error()};
   std::vector<Term> mask;
-  Moves<Geometry> moves;
-  moves.reserve(static_cast<std::size_t>(surface.characteristic().v));
-  for (const Vertex v : surface.vertices()) {
-    sqrt3_vertex_mask(surface, creases, v, step, mask);
-    moves.add(v, geometry, mask);
-  }
+  Moves<Geometry> moves(surface, geometry, [&](Vertex v, std::vector<Term>& of_v) {
+    sqrt3_vertex_mask(surface, creases, v, step, of_v);
+  });
   std::vector<typename Geometry::Value> in_faces, on_edges;
   in_faces.reserve(plan->faces.size());
   for (const Face f : plan->faces) {
-    mask.clear();
-    for (const HalfEdge h : surface.star(f)) mask.push_back({surface.org(h), 1. / 3});
+    face_mask(surface, f, mask);
     in_faces.push_back(geometry.combine(mask));
   }
   on_edges.reserve(2 * plan->edges.size());

@@ -145,19 +145,19 @@ std::string Pair::detach(const Op& op) {
   if (done.ok() != allowed) return "detach misjudged";
   if (!done) return refuse(text);
   Characteristic after = before - effect_of_create;
-  for (const Cut& cut : done->cuts()) {
+  for (const Unglued& cut : done->unglued()) {
     oracle_.unglue(cut.h.index());
     after -= effect(cut.undone);
   }
   oracle_.destroy(left(h).index());
-  done_ += 1 + done->cuts().size();
+  done_ += 1 + done->unglued().size();
   if (surface_.characteristic() != after) return "wrong effect of detach";
   if (old) {
     Surface undone = surface_;
     const auto f = undone.create(done->points()[0], done->points()[1], done->points()[2]);
     if (!f || *f != left(h)) return "create does not undo destroy";
-    for (std::size_t i = done->cuts().size(); i-- > 0;) {
-      const Cut& cut = done->cuts()[i];
+    for (std::size_t i = done->unglued().size(); i-- > 0;) {
+      const Unglued& cut = done->unglued()[i];
       const Result<HandleCase, Violation> kind = undone.glue(cut.h, cut.twin);
       if (!kind || *kind != cut.undone) return "glue is not of the case that detach named";
     }

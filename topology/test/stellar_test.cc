@@ -248,9 +248,9 @@ struct Values {
     }
     if (c.made()) {
       double sum = 0;
-      for (const Vertex v : c.amid()) sum += vertex[v.index()];
+      for (const Vertex v : c.between()) sum += vertex[v.index()];
       if (c.made().index() >= vertex.size()) vertex.resize(c.made().index() + 1);
-      vertex[c.made().index()] = sum / static_cast<double>(c.amid().size());
+      vertex[c.made().index()] = sum / static_cast<double>(c.between().size());
     }
   }
 };

@@ -194,13 +194,14 @@ TEST(Surface, DetachInTheMiddleAndBack) {
   EXPECT_EQ(s.characteristic(), (Characteristic{4, 6, 4, 0, 0, 1}));
   const auto done = detach(s, Face(2));
   ASSERT_TRUE(done);
-  ASSERT_EQ(done->cuts().size(), 3u);
-  EXPECT_EQ(done->cuts()[0].undone, HandleCase::close);
-  EXPECT_EQ(done->cuts()[1].undone, HandleCase::zip);
-  EXPECT_EQ(done->cuts()[2].undone, HandleCase::join_components);
+  ASSERT_EQ(done->unglued().size(), 3u);
+  EXPECT_EQ(done->unglued()[0].undone, HandleCase::close);
+  EXPECT_EQ(done->unglued()[1].undone, HandleCase::zip);
+  EXPECT_EQ(done->unglued()[2].undone, HandleCase::join_components);
   EXPECT_EQ(s.characteristic(), (Characteristic{4, 6, 3, 1, 0, 1}));
   ASSERT_EQ(*s.create(done->points()[0], done->points()[1], done->points()[2]), Face(2));
-  for (std::size_t i = 3; i-- > 0;) ASSERT_TRUE(s.glue(done->cuts()[i].h, done->cuts()[i].twin));
+  for (std::size_t i = 3; i-- > 0;)
+    ASSERT_TRUE(s.glue(done->unglued()[i].h, done->unglued()[i].twin));
   EXPECT_TRUE(equivalent(s, whole));
 }
 

@@ -1,4 +1,4 @@
-#include "topology/modeling/vertex_mask.h"
+#include "topology/modeling/masks.h"
 
 namespace clers {
 
@@ -16,6 +16,15 @@ void vertex_mask(const Surface& surface, const Creases& creases, Vertex v,
   } else {
     mask = {{v, 1}};
   }
+}
+
+void edge_mask(const Surface& surface, const Creases& creases, HalfEdge h, double end,
+               std::vector<Term>& mask) {
+  const bool sharp = creases.is_sharp(surface, h);
+  mask = {{surface.org(h), sharp ? 0.5 : end}, {surface.dest(h), sharp ? 0.5 : end}};
+  if (sharp) return;
+  for (const HalfEdge opposite : surface.link(h))
+    mask.push_back({surface.org(opposite), 0.5 - end});
 }
 
 }  // namespace clers
