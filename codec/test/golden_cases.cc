@@ -292,6 +292,8 @@ std::vector<Named> surfaces() {
 /// Faces that a surface does not have, or not so.
 std::vector<Named> defects() {
   const Mesh ball = corpus::flip_edges(corpus::icosphere(2), 200, 8);
+  // Defects at fewer than one side in 64 are cut in another way.
+  const Mesh large = corpus::flip_edges(corpus::icosphere(4), 3000, 20);
   return {{"fins", corpus::add_fins(ball, 40, 9)},
           {"book", corpus::book(12)},
           {"chessboard", corpus::chessboard(9)},
@@ -314,7 +316,11 @@ std::vector<Named> defects() {
           {"thin soup", corpus::random_soup(3000, 900, 3, 14)},
           {"soup of polygons", corpus::random_soup(300, 300, 9, 15)},
           {"wild soup", wild_soup(40, 150, 16)},
-          {"isolated", corpus::isolate(ball, 31)}};
+          {"isolated", corpus::isolate(ball, 31)},
+          {"few fins", corpus::add_fins(large, 5, 21)},
+          {"few fins and pinches", merge_vertices(corpus::add_fins(large, 5, 22), 6, 23)},
+          {"few reversed", corpus::reverse_some(large, 4, 24)},
+          {"few repeated", every(999, Do::repeat, dual(large))}};
 }
 
 class Cases {
@@ -391,6 +397,9 @@ class Cases {
         for (const Values kind : {Values::planes, Values::noise})
           meshes.push_back(with_positions(grid, static_cast<Scalar>(s), components, kind));
       add("positions, scalar " + std::to_string(s), meshes);
+      EncodeOptions options;
+      options.piece_faces = 20;
+      add("positions, scalar " + std::to_string(s) + ", in pieces", meshes, options);
     }
     add("odd floats", odd_floats(corpus::icosphere(1)));
     Mesh wide = grid;
@@ -413,11 +422,17 @@ class Cases {
     add("vertices alone", points);
     add("vertices alone, with values", dressed(points));
     add("name and metadata", named);
+    EncodeOptions options;
+    options.piece_faces = 30;
+    add("name and metadata, in pieces", named, options);
+    options.level = 1;
+    options.piece_faces = never_in_pieces;
+    add("many faces in no order", bare(corpus::shuffle(corpus::torus(700, 100), 25)), options);
     std::vector<Mesh> meshes(std::begin(cases), std::end(cases));
     for (Named& m : surfaces()) meshes.push_back(steady(std::move(m.mesh)));
     for (Named& m : defects()) meshes.push_back(steady(std::move(m.mesh)));
     add("all meshes", meshes);
-    EncodeOptions options;
+    options = {};
     options.piece_faces = 300;
     add("all meshes, large ones in pieces", meshes, options);
     options.order = Order::keep;
