@@ -70,15 +70,18 @@ Expected<ConnectivityCounts> decode(Source& source, std::uint64_t end,
   building.merged.reserve(header.merges);
 
   StreamError breakage;
+#ifdef CLERS_BOOKKEEPING
+  std::optional<BuildingMirror> mirror;
+#endif
   if (!twins.empty()) {
     std::vector<HalfEdge> into(ids);
     Opposites pairing(twins, into);
     breakage = SpiraleReversi<Opposites, Source>(building, pairing, source).run();
   } else {
 #ifdef CLERS_BOOKKEEPING
-    BuildingMirror pairing(ids);
-    breakage = SpiraleReversi<BuildingMirror, Source>(building, pairing, source).run();
-    if (!pairing.agrees)
+    mirror.emplace(ids);
+    breakage = SpiraleReversi<BuildingMirror, Source>(building, *mirror, source).run();
+    if (!mirror->agrees)
       return fail(ErrorCode::internal, "the front and the full surface do not agree");
 #else
     NoPairing pairing;
@@ -91,6 +94,10 @@ Expected<ConnectivityCounts> decode(Source& source, std::uint64_t end,
   if (!source.finished())
     return fail(ErrorCode::invalid, Place::byte, end, "the symbols do not end where the data end");
   number_vertices(building);
+#ifdef CLERS_BOOKKEEPING
+  if (mirror && !mirror->same_vertices(corners))
+    return fail(ErrorCode::internal, "the vertices are not those of the full surface");
+#endif
   // Only the glue of a hole or handle can bring together two vertices of one face.
   if (source.counts.coded_holes + source.counts.handles > 0 && repeats_a_vertex(corners))
     return broken_stream({StreamFault::position, header.faces});

@@ -1,9 +1,10 @@
-// Spirale Reversi (paper §7.2, Algorithm 3): builds a surface from its CLERS string read backwards.
+// Spirale Reversi (CAGD 2010, §7.2, Algorithm 3): builds a surface from its CLERS string read
+// backwards.
 //
-// One driver for the decoder, which takes symbols from a stream, and the encoder, which already
-// knows them and learns here in which context the decoder will meet each. errata: C needs a zip
-// after attach, S a glue, and holes, handles and the closing edge are missing in the printed
-// algorithm.
+// One driver for the decoder, which takes symbols from a stream, and for the encoder where it
+// builds a surface again: to count along curves (place_handles.cc) and to look around a gate. The
+// printed algorithm only attaches; what C, S, holes, handles and the closing edge need besides is
+// in topology/errata.md.
 //
 // Faces are written last to first, so that they come out in the order in which the encoder met
 // them; side 0 of each is its gate.
@@ -251,6 +252,7 @@ class SpiraleReversi {
   /// What is left of the boundary is final: the holes, and the curve of the gate. Returns how many
   /// vertices are finished now.
   CLERS_NEVER_INLINE std::uint32_t end_component(Gate gate, std::uint32_t finished) {
+    front_.end_component(gate, holes_);
     if (front_.prev(gate.x) == gate.y && source_.closed()) front_.close(gate);
     for (const std::uint32_t hole : holes_) finished = finish_curve(hole, hole, finished);
     holes_.clear();

@@ -20,6 +20,9 @@ inline constexpr std::uint32_t scale = 1u << scale_bits;
 inline constexpr std::uint32_t low = 1u << 16;  ///< below it the state takes in a word, if any
 inline constexpr std::uint32_t first_state = 1u << 8;  ///< of the encoder, and the decoder's last
 
+/// The size of what a decision is given at most (coder.h); to divide by a constant is faster.
+inline constexpr std::uint32_t most_certain = scale - 32;
+
 /// The share [start, start + size) of `scale` that stands for what is coded. 0 < size < scale.
 struct Interval {
   std::uint16_t start;
@@ -58,7 +61,9 @@ class Encoder {
         state >>= 16;
       }
       // quotient * scale + remainder + start, with the least to do after the division
-      state = state + s.start + state / s.size * (scale - s.size);
+      const std::uint32_t quotient =
+          s.size == most_certain ? state / most_certain : state / s.size;
+      state = state + s.start + quotient * (scale - s.size);
     }
     out.reserve(out.size() + 4 + 2 * words.size());
     for (; state != 0; state >>= 8) out.push_back(static_cast<std::byte>(state));
