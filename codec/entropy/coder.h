@@ -9,6 +9,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "codec/base/portable.h"
 #include "codec/entropy/rans.h"
 
 namespace clers::internal {
@@ -37,7 +38,7 @@ class EncodeTo {
  public:
   static constexpr bool encodes = true;
   explicit EncodeTo(rans::Encoder& out) : out_(&out) {}
-  [[gnu::always_inline]] bool bit(BitModel& model, bool value) {
+  CLERS_ALWAYS_INLINE bool bit(BitModel& model, bool value) {
     decide(model.share(), value);
     model.update(value);
     return value;
