@@ -70,14 +70,15 @@ class PolygonFaces {
  public:
   static constexpr bool only_triangles = false;
   /// Precondition: sizes of at least 3 that add up to the number of twins.
-  PolygonFaces(std::span<HalfEdge> twins, std::span<const std::uint32_t> sizes)
-      : sizes_(sizes), links_(twins.size()) {
+  PolygonFaces(std::span<HalfEdge> twins, std::span<const std::uint32_t> sizes) : sizes_(sizes) {
+    links_.reserve(twins.size());
     std::uint32_t first = 0;
     for (const std::uint32_t size : sizes) {
       const std::uint32_t last = first + size - 1;
-      for (std::uint32_t h = first; h <= last; ++h) links_[h] = {HalfEdge(h + 1), HalfEdge(h - 1)};
-      links_[first].prev = HalfEdge(last);
-      links_[last].next = HalfEdge(first);
+      links_.push_back({HalfEdge(first + 1), HalfEdge(last)});
+      for (std::uint32_t h = first + 1; h < last; ++h)
+        links_.push_back({HalfEdge(h + 1), HalfEdge(h - 1)});
+      links_.push_back({HalfEdge(first), HalfEdge(last - 1)});
       first += size;
     }
   }

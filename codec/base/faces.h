@@ -19,9 +19,9 @@ class Cycles {
   Cycles(std::span<const std::uint32_t> corners, std::span<const std::uint32_t> sizes)
       : org(corners) {
     if (sizes.empty()) return;
-    begin_.reserve(sizes.size() + 1);
-    begin_.push_back(0);
-    for (const std::uint32_t size : sizes) begin_.push_back(begin_.back() + size);
+    begin_.resize(sizes.size() + 1);
+    std::uint32_t end = 0;
+    for (std::size_t f = 0; f < sizes.size(); ++f) begin_[f + 1] = end += sizes[f];
   }
 
   std::span<const std::uint32_t> org;  ///< vertex of each corner
@@ -49,8 +49,10 @@ class Faces : public Cycles {
   Faces(std::span<const std::uint32_t> corners, std::span<const std::uint32_t> sizes)
       : Cycles(corners, sizes) {
     if (sizes.empty()) return;
-    face_.reserve(corners.size());
-    for (std::uint32_t f = 0; f < sizes.size(); ++f) face_.insert(face_.end(), sizes[f], f);
+    face_.resize(corners.size());
+    std::uint32_t* face = face_.data();
+    for (std::uint32_t f = 0; f < sizes.size(); ++f)
+      for (std::uint32_t k = sizes[f]; k > 0; --k) *face++ = f;
   }
 
   /// Bytes that a view takes; `sizes`: has it any?

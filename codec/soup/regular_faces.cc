@@ -18,12 +18,19 @@ bool no_vertex_twice(std::span<const std::uint32_t> corners) {
 }
 
 std::vector<std::uint32_t> degenerate_faces(const Cycles& faces, std::uint32_t vertex_count) {
-  std::vector<std::uint32_t> degenerate, last_face(vertex_count, no_index);
+  std::vector<std::uint32_t> degenerate, last_face;
   for (std::uint32_t f = 0; f < faces.count(); ++f) {
-    bool is_degenerate = faces.size(f) < 3;
-    for (const std::uint32_t v : faces.cycle(f)) {
-      is_degenerate |= last_face[v] == f;
-      last_face[v] = f;
+    const std::span<const std::uint32_t> cycle = faces.cycle(f);
+    bool is_degenerate = cycle.size() < 3;
+    if (cycle.size() <= 4) {
+      for (std::size_t i = 1; i < cycle.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) is_degenerate |= cycle[i] == cycle[j];
+    } else {
+      if (last_face.empty()) last_face.assign(vertex_count, no_index);
+      for (const std::uint32_t v : cycle) {
+        is_degenerate |= last_face[v] == f;
+        last_face[v] = f;
+      }
     }
     if (is_degenerate) degenerate.push_back(f);
   }

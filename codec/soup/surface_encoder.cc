@@ -40,21 +40,18 @@ Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, Wa
       first_corners[i] = corner(coded->gates[i]);
     }
   } else {
+    std::vector<std::uint32_t> sizes(order.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) {
-      const std::uint32_t gate = coded->gates[i].index();
-      order[i] = faces.face(gate);
-      first_corners[i] = gate - faces.begin(order[i]);
+      const std::uint32_t gate = coded->gates[i].index(), f = faces.face(gate);
+      order[i] = f;
+      first_corners[i] = gate - faces.begin(f);
+      sizes[i] = faces.size(f);
     }
+    out.polygons = encode_sizes(sizes);
   }
   if (surface.cut && !surface.cut->reversed.empty()) {
     out.reversed_runs = reversed_runs(faces, surface.cut->reversed, out.order);
     out.reversed = encode_reversed(out.reversed_runs, order.size());
-  }
-  if (!faces.triangles()) {
-    std::vector<std::uint32_t> sizes;
-    sizes.reserve(order.size());
-    for (const std::uint32_t f : order) sizes.push_back(faces.size(f));
-    out.polygons = encode_sizes(sizes);
   }
 
   const bool copies = surface.cut && !surface.cut->copied.empty();
