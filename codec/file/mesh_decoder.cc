@@ -311,15 +311,6 @@ std::uint64_t attribute_memory(const Attribute& what, std::uint64_t count) {
   return sizeof(Attribute) + what.name.size() + count * what.stride();
 }
 
-std::uint64_t count_of(const MeshSections& mesh, Domain domain) {
-  switch (domain) {
-    case Domain::vertex: return mesh.vertices;
-    case Domain::corner: return mesh.corners;
-    case Domain::face: return mesh.faces;
-  }
-  return 0;
-}
-
 /// Vertices that no corner names follow those that one does.
 std::uint64_t most_used_vertices(const PieceSections& sections) {
   return std::min(sections.vertices, sections.corners);
@@ -488,7 +479,7 @@ std::uint64_t room_memory(const MeshSections& sections, Values values) {
   for (const PieceSections& piece : sections.pieces) memory += isolated_memory(piece);
   if (values == Values::skip) return memory;
   for (const PieceSections::AttributeSection& a : sections.pieces[0].attributes)
-    memory += attribute_memory(a.header.attribute, count_of(sections, a.header.attribute.domain));
+    memory += attribute_memory(a.header.attribute, sections.count(a.header.attribute.domain));
   return memory;
 }
 
@@ -501,45 +492,86 @@ Mesh make_room(const MeshSections& sections, Values values) {
   mesh.attributes.reserve(sections.pieces[0].attributes.size());
   for (const PieceSections::AttributeSection& a : sections.pieces[0].attributes) {
     Attribute attribute = a.header.attribute;
-    const std::uint64_t count = count_of(sections, attribute.domain);
+    const std::uint64_t count = sections.count(attribute.domain);
     attribute.data.resize(static_cast<std::size_t>(count) * attribute.stride());
     mesh.attributes.push_back(std::move(attribute));
   }
   return mesh;
 }
 
-Expected<Done> put_piece(const PieceSections& sections, const Mesh& piece, Mesh& whole) {
-  const auto corners = std::span(whole.corners)
-                           .subspan(static_cast<std::size_t>(sections.first_corner),
-                                    static_cast<std::size_t>(sections.corners));
-  std::copy(piece.corners.begin(), piece.corners.end(), corners.begin());
-  auto numbers = number_piece(sections, corners);
-  if (!numbers) return Failure{numbers.error()};
-  if (!whole.face_sizes.empty()) {
-    std::uint32_t* size = whole.face_sizes.data() + sections.first_face;
-    if (piece.triangles_only())
-      std::fill_n(size, piece.face_count(), 3u);
-    else
-      std::copy(piece.face_sizes.begin(), piece.face_sizes.end(), size);
+namespace {
+
+/// Puts a piece into arrays; `values_of(k)` is memory for attribute k, and bytes between its
+/// values.
+template <class ValuesOf>
+Expected<Done> put_piece(const PieceSections& sections, const Mesh& piece,
+                         std::span<std::uint32_t> corners, std::span<std::uint32_t> sizes,
+                         ValuesOf values_of) {
+  std::vector<std::uint32_t> own;
+  if (corners.empty()) {
+    own = piece.corners;
+  } else {
+    corners = corners.subspan(static_cast<std::size_t>(sections.first_corner),
+                              static_cast<std::size_t>(sections.corners));
+    std::copy(piece.corners.begin(), piece.corners.end(), corners.begin());
   }
+  auto numbers = number_piece(sections, own.empty() ? corners : std::span(own));
+  if (!numbers) return Failure{numbers.error()};
+  if (!sizes.empty())
+    put_sizes(piece, sizes.subspan(static_cast<std::size_t>(sections.first_face)));
   for (std::size_t k = 0; k < piece.attributes.size(); ++k) {
     const Attribute& from = piece.attributes[k];
-    std::byte* to = whole.attributes[k].data.data();
-    const std::size_t stride = from.stride();
-    if (from.domain != Domain::vertex) {
-      const std::uint64_t first =
-          from.domain == Domain::face ? sections.first_face : sections.first_corner;
-      std::copy(from.data.begin(), from.data.end(), to + first * stride);
-      continue;
-    }
-    to += sections.first_vertex * stride;
-    for (std::size_t v = 0; v < piece.vertex_count; ++v) {
-      if (v < numbers->size() && (*numbers)[v] < sections.first_vertex) continue;
-      std::memcpy(to, from.data.data() + v * stride, stride);
-      to += stride;
+    const auto [to, step] = values_of(k);
+    const std::size_t size = from.stride();
+    if (from.domain == Domain::vertex) {
+      std::size_t next = static_cast<std::size_t>(sections.first_vertex);
+      for (std::size_t v = 0; v < piece.vertex_count; ++v) {
+        if (v < numbers->size() && (*numbers)[v] < sections.first_vertex) continue;
+        std::memcpy(to + next++ * step, from.data.data() + v * size, size);
+      }
+    } else {
+      put_values(
+          from,
+          to + step * static_cast<std::size_t>(from.domain == Domain::face ? sections.first_face
+                                                                           : sections.first_corner),
+          step);
     }
   }
   return Done{};
+}
+
+}  // namespace
+
+void put_sizes(const Mesh& from, std::span<std::uint32_t> to) {
+  if (from.triangles_only())
+    std::fill_n(to.begin(), from.face_count(), 3u);
+  else
+    std::copy(from.face_sizes.begin(), from.face_sizes.end(), to.begin());
+}
+
+void put_values(const Attribute& from, std::byte* to, std::size_t step) {
+  const std::size_t size = from.stride();
+  if (step == size) {
+    std::copy(from.data.begin(), from.data.end(), to);
+    return;
+  }
+  for (std::size_t at = 0; at < from.data.size(); at += size, to += step)
+    std::memcpy(to, from.data.data() + at, size);
+}
+
+Expected<Done> put_piece(const PieceSections& sections, const Mesh& piece, Mesh& whole) {
+  return put_piece(sections, piece, whole.corners, whole.face_sizes, [&](std::size_t k) {
+    Attribute& a = whole.attributes[k];
+    return std::pair(a.data.data(), a.stride());
+  });
+}
+
+Expected<Done> put_piece(const PieceSections& sections, const Mesh& piece,
+                         const MeshTarget& whole) {
+  return put_piece(sections, piece, whole.corners, whole.face_sizes, [&](std::size_t k) {
+    const AttributeTarget& a = whole.attributes[k];
+    return std::pair(a.data.data(), a.step());
+  });
 }
 
 std::uint64_t finishing_memory(const MeshSections& s, Values values) {
@@ -550,8 +582,8 @@ std::uint64_t finishing_memory(const MeshSections& s, Values values) {
   std::uint64_t most = 0;  // of the attributes, whose values are copied into their order
   if (values == Values::decode)
     for (const PieceSections::AttributeSection& a : s.pieces[0].attributes)
-      most = std::max(most,
-                      attribute_memory(a.header.attribute, count_of(s, a.header.attribute.domain)));
+      most =
+          std::max(most, attribute_memory(a.header.attribute, s.count(a.header.attribute.domain)));
   return faces + order +
          std::max(faces + FileOrderCoder::memory(s.corners, s.faces, s.vertices),
                   2 * each * s.corners + sizes + each * s.vertices + most);

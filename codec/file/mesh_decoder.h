@@ -11,6 +11,7 @@
 #include "codec/error.h"
 #include "codec/file/mesh_reader.h"
 #include "codec/mesh.h"
+#include "codec/mesh_target.h"
 #include "codec/piece.h"
 
 namespace clers::internal {
@@ -69,6 +70,14 @@ Mesh make_room(const MeshSections& sections, Values values);
 /// Puts a decoded piece where it belongs. Calls for different pieces may run at the same time.
 /// Errors: invalid.
 Expected<Done> put_piece(const PieceSections& sections, const Mesh& piece, Mesh& whole);
+
+/// The same, into memory of a caller: 32-bit corners, face sizes, and the attributes that the piece
+/// has, or some of these.
+Expected<Done> put_piece(const PieceSections& sections, const Mesh& piece, const MeshTarget& whole);
+
+/// The sizes of all faces of a mesh; the values of an attribute, `step` bytes apart.
+void put_sizes(const Mesh& from, std::span<std::uint32_t> to);
+void put_values(const Attribute& from, std::byte* to, std::size_t step);
 
 /// What is left to do when all pieces are there: the order of the file, where that was kept; values
 /// too. Errors: invalid.

@@ -24,19 +24,12 @@
 namespace clers::internal {
 namespace {
 
-std::uint32_t size_of_face(const Mesh& mesh, std::size_t f) {
+std::uint32_t size_of_face(const MeshView& mesh, std::size_t f) {
   return mesh.triangles_only() ? 3 : mesh.face_sizes[f];
 }
 
-std::size_t face_of_corner(const Mesh& mesh, std::size_t h) {
-  if (mesh.triangles_only()) return h / 3;
-  std::size_t f = 0;
-  while (h >= mesh.face_sizes[f]) h -= mesh.face_sizes[f++];
-  return f;
-}
-
 /// First corner of each face; empty for triangles.
-std::vector<std::uint32_t> begins_of(const Mesh& mesh) {
+std::vector<std::uint32_t> begins_of(const MeshView& mesh) {
   std::vector<std::uint32_t> begins;
   begins.reserve(mesh.face_sizes.size());
   std::uint32_t begin = 0;
@@ -47,59 +40,11 @@ std::vector<std::uint32_t> begins_of(const Mesh& mesh) {
   return begins;
 }
 
-/// Refuses meshes whose arrays disagree.
-Expected<Done> check_arrays(const Mesh& mesh) {
-  if (mesh.triangles_only()) {
-    if (mesh.corners.size() % 3 != 0)
-      return fail(ErrorCode::inconsistent_mesh,
-                  std::to_string(mesh.corners.size()) + " corners, expected a multiple of 3");
-  } else {
-    std::uint64_t corners = 0;
-    for (const std::uint32_t size : mesh.face_sizes) corners += size;
-    if (corners != mesh.corners.size())
-      return fail(ErrorCode::inconsistent_mesh,
-                  "faces of " + std::to_string(corners) + " corners in all, but " +
-                      std::to_string(mesh.corners.size()) + " corners are given");
-  }
-  if (mesh.corners.size() > max_corners || mesh.face_count() > max_corners)
-    return fail(ErrorCode::too_large, std::to_string(mesh.face_count()) + " faces of " +
-                                          std::to_string(mesh.corners.size()) +
-                                          " corners, expected at most " +
-                                          std::to_string(max_corners));
-  std::uint32_t largest = 0;
-  for (const std::uint32_t v : mesh.corners) largest = std::max(largest, v);
-  if (!mesh.corners.empty() && largest >= mesh.vertex_count) {
-    std::size_t h = 0;
-    while (mesh.corners[h] < mesh.vertex_count) ++h;
-    return fail(ErrorCode::inconsistent_mesh, Place::face, face_of_corner(mesh, h),
-                "has vertex " + std::to_string(mesh.corners[h]) + ", expected one below " +
-                    std::to_string(mesh.vertex_count));
-  }
-  if (!is_utf8(mesh.name))
-    return fail(ErrorCode::inconsistent_mesh, "the name of the mesh is not UTF-8");
-  if (std::string what = metadata_fault(mesh.metadata); !what.empty())
-    return fail(ErrorCode::inconsistent_mesh, std::move(what));
-  for (const Attribute& a : mesh.attributes) {
-    if (!is_utf8(a.name))
-      return fail(ErrorCode::inconsistent_mesh, "an attribute's name is not UTF-8");
-    if (a.name.size() > 255)
-      return fail(ErrorCode::inconsistent_mesh, "an attribute's name is longer than 255 bytes");
-    if (const std::string defect = kind_defect(a); !defect.empty())
-      return fail(ErrorCode::inconsistent_mesh, "attribute \"" + a.name + "\" has " + defect);
-    if (a.data.size() != mesh.value_count(a.domain) * a.stride())
-      return fail(ErrorCode::inconsistent_mesh,
-                  "attribute \"" + a.name + "\" has " + std::to_string(a.data.size()) +
-                      " bytes of values, expected " + std::to_string(mesh.value_count(a.domain)) +
-                      " times " + std::to_string(a.stride()));
-  }
-  return Done{};
-}
-
 constexpr std::uint32_t none = 0xffffffffu;
 
 class MeshEncoder {
  public:
-  MeshEncoder(const Mesh& mesh, const EncodeOptions& options)
+  MeshEncoder(const MeshView& mesh, const EncodeOptions& options)
       : mesh_(mesh), options_(options), corners_(mesh.corners), sizes_(mesh.face_sizes) {
     if (std::all_of(sizes_.begin(), sizes_.end(), [](std::uint32_t n) { return n == 3; }))
       sizes_ = {};
@@ -135,9 +80,10 @@ class MeshEncoder {
       kept_order.clear();
       triangles = fan_triangles(mesh_.corners, mesh_.face_sizes);
       set_identity(mesh_, order());
-      info().cuts = {};
-      info().clers = {};
+      result.counts = {};
+      info().copied_vertices = info().repeated_faces = info().degenerate_faces = 0;
       info().polygon_bytes = info().stitching_bytes = 0;
+      info().triangles_only = false;
     }
     info().connectivity_bytes = payload.size() + kept_order.size();
     info().order_bytes = kept_order.size();
@@ -155,19 +101,19 @@ class MeshEncoder {
   /// What the options do not allow to keep.
   Expected<Done> refuse() {
     set_loose_aside();
-    if (options_.on_degenerate == OnOddity::error && !loose_.empty()) {
+    if (options_.on_degenerate == DefectPolicy::reject && !loose_.empty()) {
       const std::uint32_t size = size_of_face(mesh_, loose_[0]);
       return fail(ErrorCode::degenerate_face, Place::face, loose_[0],
                   size < 3 ? "has " + std::to_string(size) + " corners, expected 3 at least"
                            : "uses a vertex twice");
     }
-    if (options_.on_duplicate == OnOddity::error) {
+    if (options_.on_duplicate == DefectPolicy::reject) {
       const auto duplicates = duplicate_faces(mesh_);
       if (!duplicates.empty())
         return fail(ErrorCode::duplicate_face, Place::face, duplicates[0].second,
                     "has the same vertices as face " + std::to_string(duplicates[0].first));
     }
-    if (options_.on_nonmanifold == OnOddity::error) {
+    if (options_.on_nonmanifold == DefectPolicy::reject) {
       const auto kept = [&](Error e) {
         if (e.place == Place::face && !kept_.empty()) e.at = kept_[e.at];
         return Failure{e};
@@ -248,7 +194,7 @@ class MeshEncoder {
     std::vector<std::uint32_t> face;
     for (std::size_t f = 0, begin = 0; f < faces; ++f) {
       const std::uint32_t size = size_of_face(mesh_, f);
-      const auto cycle = std::span(mesh_.corners).subspan(begin, size);
+      const auto cycle = mesh_.corners.subspan(begin, size);
       face.assign(cycle.begin(), cycle.end());
       begin += size;
       model.code_size(coder, size);
@@ -313,7 +259,7 @@ class MeshEncoder {
 
   std::span<const std::uint32_t> cycle_of(std::uint32_t f) const {
     const std::size_t begin = mesh_.triangles_only() ? 3 * std::size_t(f) : begins_[f];
-    return std::span<const std::uint32_t>(mesh_.corners).subspan(begin, size_of_face(mesh_, f));
+    return mesh_.corners.subspan(begin, size_of_face(mesh_, f));
   }
 
   void number(EncodedSurface& coded) {
@@ -427,28 +373,19 @@ class MeshEncoder {
     loose_bytes_ += bytes.size();
   }
 
-  std::uint64_t used_vertices() const {
-    if (loose_.empty() && surface_vertices_ > 0) return surface_vertices_;
-    std::vector<bool> used(mesh_.vertex_count);
-    for (const std::uint32_t v : mesh_.corners) used[v] = true;
-    return static_cast<std::uint64_t>(std::count(used.begin(), used.end(), true));
-  }
-
   void describe(const EncodedSurface& coded) {
     info().name = mesh_.name;
-    info().cuts = {coded.turned_faces, coded.copies, coded.repeated_faces, loose_.size()};
-    info().clers = in_word_order(coded.counts.symbols);
+    info().vertices = mesh_.vertex_count;
+    info().faces = mesh_.face_count();
+    info().corners = mesh_.corners.size();
+    info().triangles_only = coded.polygons.empty() && loose_.size() == folded_;
+    info().copied_vertices = coded.copies;
+    info().repeated_faces = coded.repeated_faces;
+    info().degenerate_faces = loose_.size();
     info().polygon_bytes = coded.polygons.size();
     info().stitching_bytes =
         coded.turned.size() + coded.stitches.size() + coded.repeats.size() + loose_bytes_;
-    MeshShape& shape = info().shape;
-    shape.vertices = mesh_.vertex_count;
-    shape.faces = mesh_.face_count();
-    shape.triangles = mesh_.corners.size() - 2 * mesh_.face_count();
-    shape.components = coded.counts.components;
-    shape.boundary_curves = coded.counts.boundary_curves;
-    shape.genus = coded.counts.handles;
-    shape.isolated_vertices = mesh_.vertex_count - used_vertices();
+    result.counts = {coded.turned_faces, in_word_order(coded.counts.symbols)};
   }
 
   template <class Progress>
@@ -458,26 +395,28 @@ class MeshEncoder {
     std::vector<Expected<Bytes>> coded(count,
                                        fail(ErrorCode::internal, "an attribute is not encoded"));
     for_each_item(count, threads, [&](std::size_t i, unsigned worker) {
-      const Attribute& a = mesh_.attributes[i];
+      const AttributeView a = mesh_.attributes[i];
       if (worker == 0)
         progress(a.name, 0.4 + 0.6 * static_cast<double>(i) / static_cast<double>(count));
       coded[i] =
           encode_attribute(in_coded_order(a, mesh_, result.order), triangles, options_.level);
     });
-    const Attribute* const position = mesh_.position();
+    bool position_seen = false;
     for (std::size_t i = 0; i < count; ++i) {
       if (!coded[i]) return Failure{coded[i].error()};
-      const Attribute& a = mesh_.attributes[i];
+      const AttributeView a = mesh_.attributes[i];
       const std::size_t bytes = coded[i]->size();
-      info().attributes.push_back(
-          {a.name, a.domain, a.scalar, a.components, mesh_.value_count(a.domain), bytes});
-      (&a == position ? info().position_bytes : info().attribute_bytes) += bytes;
+      info().attributes.push_back({std::string(a.name), a.domain, a.scalar, a.components,
+                                   mesh_.value_count(a.domain), bytes});
+      const bool position = !position_seen && a.domain == Domain::vertex && a.name == position_name;
+      position_seen |= position;
+      (position ? info().position_bytes : info().attribute_bytes) += bytes;
       put(SectionKind::attribute, std::move(*coded[i]));
     }
     return Done{};
   }
 
-  const Mesh& mesh_;
+  const MeshView mesh_;
   const EncodeOptions& options_;
   std::span<const std::uint32_t> corners_, sizes_;  ///< of the faces of the surface
   std::vector<std::uint32_t> begins_;               ///< first corner of each face, if not triangles
@@ -490,15 +429,21 @@ class MeshEncoder {
 
 }  // namespace
 
-Expected<Done> check(const Mesh& mesh, const EncodeOptions& options) {
+Expected<Done> check(const MeshView& mesh, const EncodeOptions& options) {
   if (auto ok = check_arrays(mesh); !ok) return ok;
-  if (options.on_nonmanifold == OnOddity::keep && options.on_degenerate == OnOddity::keep &&
-      options.on_duplicate == OnOddity::keep)
+  if (!is_utf8(mesh.name))
+    return fail(ErrorCode::inconsistent_mesh, "the name of the mesh is not UTF-8");
+  if (std::string what = metadata_fault(mesh.metadata); !what.empty())
+    return fail(ErrorCode::inconsistent_mesh, std::move(what));
+  for (const AttributeView a : mesh.attributes)
+    if (auto ok = check_attribute(a, mesh.value_count(a.domain)); !ok) return ok;
+  if (options.on_nonmanifold == DefectPolicy::keep && options.on_degenerate == DefectPolicy::keep &&
+      options.on_duplicate == DefectPolicy::keep)
     return Done{};
   return MeshEncoder(mesh, options).refuse();
 }
 
-CodedFaces in_coded_order(const Mesh& mesh, const Permutation& order) {
+CodedFaces in_coded_order(const MeshView& mesh, const Permutation& order) {
   CodedFaces result;
   const std::vector<std::uint32_t> begins = begins_of(mesh);
   std::vector<std::uint32_t> number(mesh.vertex_count);
@@ -515,7 +460,7 @@ CodedFaces in_coded_order(const Mesh& mesh, const Permutation& order) {
   return result;
 }
 
-Bytes encode_order(const Mesh& mesh, const Permutation& order, const CodedFaces& coded) {
+Bytes encode_order(const MeshView& mesh, const Permutation& order, const CodedFaces& coded) {
   FileOrder file;
   file.vertices = order.vertices;
   file.faces.resize(order.faces.size());
@@ -533,13 +478,16 @@ Bytes encode_order(const Mesh& mesh, const Permutation& order, const CodedFaces&
   return bytes;
 }
 
-Attribute in_coded_order(const Attribute& a, const Mesh& mesh, const Permutation& order) {
-  Attribute result = a;
-  const std::size_t stride = a.stride();
+Attribute in_coded_order(const AttributeView& a, const MeshView& mesh, const Permutation& order) {
+  Attribute result{std::string(a.name), a.domain, a.scalar, a.components, {}};
+  const std::size_t value_size = a.value_size();
+  result.data.resize(mesh.value_count(a.domain) * value_size);
   std::byte* to = result.data.data();
+  const std::byte* const first = a.data.data();
+  const std::size_t step = a.step();
   const auto copy = [&](std::size_t from) {
-    std::memcpy(to, a.data.data() + from * stride, stride);
-    to += stride;
+    std::memcpy(to, first + from * step, value_size);
+    to += value_size;
   };
   switch (a.domain) {
     case Domain::vertex:
@@ -562,7 +510,7 @@ Attribute in_coded_order(const Attribute& a, const Mesh& mesh, const Permutation
   return result;
 }
 
-void set_identity(const Mesh& mesh, Permutation& order) {
+void set_identity(const MeshView& mesh, Permutation& order) {
   order.vertices.resize(mesh.vertex_count);
   order.faces.resize(mesh.face_count());
   std::iota(order.vertices.begin(), order.vertices.end(), 0u);
@@ -570,8 +518,8 @@ void set_identity(const Mesh& mesh, Permutation& order) {
   order.first_corners.assign(mesh.face_count(), 0);
 }
 
-Expected<EncodedMesh> encode_mesh(const Mesh& mesh, const EncodeOptions& options, unsigned threads,
-                                  const Progress& progress) {
+Expected<EncodedMesh> encode_mesh(const MeshView& mesh, const EncodeOptions& options,
+                                  unsigned threads, const Progress& progress) {
   MeshEncoder encoder(mesh, options);
   if (auto ok = encoder.run(threads, progress); !ok) return Failure{ok.error()};
   return std::move(encoder.result);

@@ -12,6 +12,7 @@
 #include "codec/file/container.h"
 #include "codec/info.h"
 #include "codec/mesh.h"
+#include "codec/mesh_view.h"
 #include "codec/options.h"
 
 namespace clers::internal {
@@ -28,10 +29,11 @@ struct EncodedMesh {
   std::vector<EncodedSection> sections;
   Permutation order;
   MeshInfo info;
+  CodingCounts counts;
 };
 
 /// Refuses meshes whose arrays disagree, and those with faces that the options do not allow.
-Expected<Done> check(const Mesh& mesh, const EncodeOptions& options);
+Expected<Done> check(const MeshView& mesh, const EncodeOptions& options);
 
 /// Takes the stage of the work and the share of it that is done.
 using Progress = std::function<void(std::string_view stage, double share)>;
@@ -40,21 +42,22 @@ struct CodedFaces {
   std::vector<std::uint32_t> corners, sizes;
 };
 /// The faces as they are decoded, before they are put into the order of the file.
-CodedFaces in_coded_order(const Mesh& mesh, const Permutation& order);
+CodedFaces in_coded_order(const MeshView& mesh, const Permutation& order);
 
 /// The order of the file, told along the decoded mesh.
-Bytes encode_order(const Mesh& mesh, const Permutation& order, const CodedFaces& coded);
+Bytes encode_order(const MeshView& mesh, const Permutation& order, const CodedFaces& coded);
 
 /// The attribute with its values in the order of the decoded mesh.
-Attribute in_coded_order(const Attribute& attribute, const Mesh& mesh, const Permutation& order);
+Attribute in_coded_order(const AttributeView& attribute, const MeshView& mesh,
+                         const Permutation& order);
 
-void set_identity(const Mesh& mesh, Permutation& order);
+void set_identity(const MeshView& mesh, Permutation& order);
 
 /// Encodes in one piece. `progress` takes shares of this mesh. Threads are for its attributes.
 /// Precondition: check() has passed it. Errors: internal, limit.
 /// Throws std::bad_alloc only.
-Expected<EncodedMesh> encode_mesh(const Mesh& mesh, const EncodeOptions& options, unsigned threads,
-                                  const Progress& progress);
+Expected<EncodedMesh> encode_mesh(const MeshView& mesh, const EncodeOptions& options,
+                                  unsigned threads, const Progress& progress);
 
 }  // namespace clers::internal
 

@@ -4,8 +4,6 @@
 
 #include <cstdint>
 
-#include "topology/ids.h"
-
 namespace clers::internal {
 
 /// Bits of the first byte of a mesh.
@@ -20,9 +18,6 @@ inline constexpr std::uint32_t folded = 64;     ///< triangles on two vertices o
 inline constexpr std::uint32_t on_surface =
     reversed | polygons | copies | degenerate | repeats | folded;
 }  // namespace feature
-
-/// So that every corner has a number, and triangles made of polygons have.
-inline constexpr std::uint64_t max_corners = 3 * std::uint64_t(max_faces);
 
 /// A decision takes at least log2(32768 / 32736) bits, so a byte holds fewer than this many.
 inline constexpr std::uint64_t max_decisions_per_byte = 8192;

@@ -14,14 +14,13 @@ constexpr std::uint32_t none = 0xffffffffu;
 
 /// Adds what is told of a piece that shares vertices with those before.
 void add(const MeshInfo& piece, std::uint64_t shared, MeshInfo& whole) {
-  whole.shape.vertices += piece.shape.vertices - shared;
-  whole.shape.faces += piece.shape.faces;
-  whole.shape.triangles += piece.shape.triangles;
-  whole.cuts.turned_faces += piece.cuts.turned_faces;
-  whole.cuts.copied_vertices += piece.cuts.copied_vertices;
-  whole.cuts.repeated_faces += piece.cuts.repeated_faces;
-  whole.cuts.loose_faces += piece.cuts.loose_faces;
-  for (std::size_t i = 0; i < piece.clers.size(); ++i) whole.clers[i] += piece.clers[i];
+  whole.vertices += piece.vertices - shared;
+  whole.faces += piece.faces;
+  whole.corners += piece.corners;
+  whole.triangles_only &= piece.triangles_only;
+  whole.copied_vertices += piece.copied_vertices;
+  whole.repeated_faces += piece.repeated_faces;
+  whole.degenerate_faces += piece.degenerate_faces;
   whole.connectivity_bytes += piece.connectivity_bytes;
   whole.polygon_bytes += piece.polygon_bytes;
   whole.stitching_bytes += piece.stitching_bytes;
@@ -36,9 +35,14 @@ void add(const MeshInfo& piece, std::uint64_t shared, MeshInfo& whole) {
   }
 }
 
+void add(const CodingCounts& piece, CodingCounts& whole) {
+  whole.reversed_faces += piece.reversed_faces;
+  for (std::size_t i = 0; i < piece.symbols.size(); ++i) whole.symbols[i] += piece.symbols[i];
+}
+
 }  // namespace
 
-PieceCutter::PieceCutter(const Mesh& mesh, Partition parts)
+PieceCutter::PieceCutter(const MeshView& mesh, Partition parts)
     : mesh_(mesh), parts_(std::move(parts)) {
   begins_.reserve(mesh.face_sizes.size());
   std::uint32_t begin = 0;
@@ -79,25 +83,26 @@ PieceCutter::Piece PieceCutter::cut(std::size_t piece, std::vector<std::uint32_t
     result.vertices.insert(result.vertices.end(), isolated_.begin(), isolated_.end());
   mesh.vertex_count = static_cast<std::uint32_t>(result.vertices.size());
 
-  for (const Attribute& a : mesh_.attributes) {
-    Attribute part{a.name, a.domain, a.scalar, a.components, {}};
-    const auto copy = [&](std::size_t first, std::size_t values) {
-      const auto from = a.data.begin() + static_cast<std::ptrdiff_t>(first * a.stride());
-      part.data.insert(part.data.end(), from,
-                       from + static_cast<std::ptrdiff_t>(values * a.stride()));
+  for (const AttributeView a : mesh_.attributes) {
+    Attribute part{std::string(a.name), a.domain, a.scalar, a.components, {}};
+    const std::size_t value_size = a.value_size(), step = a.step();
+    const auto copy = [&](std::size_t value) {
+      const std::byte* from = a.data.data() + value * step;
+      part.data.insert(part.data.end(), from, from + value_size);
     };
     switch (a.domain) {
       case Domain::vertex:
-        part.data.reserve(result.vertices.size() * a.stride());
-        for (const std::uint32_t v : result.vertices) copy(v, 1);
+        part.data.reserve(result.vertices.size() * value_size);
+        for (const std::uint32_t v : result.vertices) copy(v);
         break;
       case Domain::face:
-        part.data.reserve(faces.size() * a.stride());
-        for (const std::uint32_t f : faces) copy(f, 1);
+        part.data.reserve(faces.size() * value_size);
+        for (const std::uint32_t f : faces) copy(f);
         break;
       case Domain::corner:
-        part.data.reserve(mesh.corners.size() * a.stride());
-        for (const std::uint32_t f : faces) copy(begin(f), size(f));
+        part.data.reserve(mesh.corners.size() * value_size);
+        for (const std::uint32_t f : faces)
+          for (std::uint32_t j = 0; j < size(f); ++j) copy(begin(f) + j);
         break;
     }
     mesh.attributes.push_back(std::move(part));
@@ -114,7 +119,7 @@ Expected<EncodedMesh> encode_piece(PieceCutter::Piece piece, std::span<const std
   return coded;
 }
 
-EncodedMesh join(std::vector<EncodedMesh> pieces, const Mesh& mesh) {
+EncodedMesh join(std::vector<EncodedMesh> pieces, const MeshView& mesh) {
   EncodedMesh whole;
   Bytes count;
   put_varint(count, pieces.size());
@@ -158,12 +163,9 @@ EncodedMesh join(std::vector<EncodedMesh> pieces, const Mesh& mesh) {
       whole.sections.push_back({SectionKind::seam, std::move(seam)});
     }
     add(piece.info, shared, whole.info);
+    add(piece.counts, whole.counts);
     piece = {};
   }
-  std::vector<bool> used(mesh.vertex_count);
-  for (const std::uint32_t v : mesh.corners) used[v] = true;
-  whole.info.shape.isolated_vertices =
-      static_cast<std::uint64_t>(std::count(used.begin(), used.end(), false));
   return whole;
 }
 

@@ -15,7 +15,7 @@ namespace clers::internal {
 class PieceCutter {
  public:
   /// Vertices that no face uses go to the last piece. The mesh must outlive this. Cost: linear.
-  PieceCutter(const Mesh& mesh, Partition parts);
+  PieceCutter(const MeshView& mesh, Partition parts);
 
   std::size_t count() const { return parts_.count(); }
   std::span<const std::uint32_t> faces(std::size_t piece) const { return parts_.piece(piece); }
@@ -29,7 +29,7 @@ class PieceCutter {
   Piece cut(std::size_t piece, std::vector<std::uint32_t>& number) const;
 
  private:
-  const Mesh& mesh_;
+  MeshView mesh_;
   Partition parts_;
   std::vector<std::uint32_t> begins_;    ///< first corner of each face; empty: triangles
   std::vector<std::uint32_t> isolated_;  ///< vertices that no face uses
@@ -41,7 +41,7 @@ Expected<EncodedMesh> encode_piece(PieceCutter::Piece piece, std::span<const std
 
 /// Makes one mesh of coded pieces: adds up what was found in them, and inserts the seams. The
 /// sections begin with the number of pieces; name and order are still missing.
-EncodedMesh join(std::vector<EncodedMesh> pieces, const Mesh& mesh);
+EncodedMesh join(std::vector<EncodedMesh> pieces, const MeshView& mesh);
 
 }  // namespace clers::internal
 

@@ -6,9 +6,10 @@
 
 namespace clers::internal {
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> duplicate_faces(const Mesh& mesh) {
+std::vector<std::pair<std::uint32_t, std::uint32_t>> duplicate_faces(const MeshView& mesh) {
   const std::uint32_t faces = static_cast<std::uint32_t>(mesh.face_count());
-  std::vector<std::uint32_t> corners = mesh.corners, begin(std::size_t(faces) + 1);
+  std::vector<std::uint32_t> corners(mesh.corners.begin(), mesh.corners.end());
+  std::vector<std::uint32_t> begin(std::size_t(faces) + 1);
   for (std::uint32_t f = 0; f < faces; ++f) {
     begin[f + 1] = begin[f] + (mesh.triangles_only() ? 3 : mesh.face_sizes[f]);
     std::sort(corners.begin() + begin[f], corners.begin() + begin[f + 1]);
