@@ -41,7 +41,7 @@ Expected<InspectedMesh> look_at(const MeshSections& s, MeshInfo& info) {
       faces = std::move(decoded->mesh);
     else if (auto ok = put_piece(piece, decoded->mesh, faces); !ok)
       return Failure{ok.error()};
-    result.counts.reversed_faces += decoded->turned_faces;
+    result.counts.reversed_faces += decoded->reversed_faces;
     const auto symbols = in_word_order(decoded->counts.symbols);
     for (std::size_t i = 0; i < symbols.size(); ++i) result.counts.symbols[i] += symbols[i];
   }

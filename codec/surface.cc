@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "codec/base/check.h"
+#include "codec/base/faces.h"
 #include "codec/base/guarded.h"
 #include "codec/base/wide_corners.h"
 #include "codec/soup/adjacency.h"
-#include "codec/soup/faces.h"
 
 namespace clers {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "codec/base/faces.h"
 #include "codec/base/utf8.h"
 
 namespace clers::internal {

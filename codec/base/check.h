@@ -8,12 +8,8 @@
 
 #include "codec/error.h"
 #include "codec/mesh_view.h"
-#include "topology/ids.h"
 
 namespace clers::internal {
-
-/// So that every corner has a number, and triangles made of polygons have.
-inline constexpr std::uint64_t max_corners = 3 * std::uint64_t(max_faces);
 
 /// Says which of the numbers that describe an attribute is out of range ("domain 3, expected 0 to
 /// 2"); empty if none is. To be asked before value_size(), which relies on them.

@@ -19,7 +19,7 @@ void add_attributes(const PieceSections& piece, MeshInfo& mesh) {
     const Attribute& what = a.header.attribute;
     if (first)
       mesh.attributes.push_back({what.name, what.domain, what.scalar, what.components, 0, 0});
-    mesh.attributes[i].count += a.count - (what.domain == Domain::vertex ? piece.shared : 0);
+    mesh.attributes[i].count += a.count - (what.domain == Domain::vertex ? piece.seam.shared : 0);
     mesh.attributes[i].bytes += a.bytes.size();
     const bool position =
         !position_seen && what.domain == Domain::vertex && what.name == position_name;
@@ -38,14 +38,14 @@ Expected<MeshInfo> info_of(const MeshSections& s, bool with_metadata) {
   mesh.pieces = s.pieces.size();
   mesh.order_bytes = mesh.connectivity_bytes = s.order.bytes.size();
   for (const PieceSections& piece : s.pieces) {
-    mesh.copied_vertices += piece.copies;
-    mesh.repeated_faces += piece.repeated_faces;
-    mesh.degenerate_faces += piece.folded_faces + piece.loose_faces;
+    mesh.copied_vertices += piece.copies.copies;
+    mesh.repeated_faces += piece.repeats.faces;
+    mesh.degenerate_faces += piece.folded.faces + piece.degenerate.faces;
     mesh.connectivity_bytes += piece.payload_size + piece.seam_size;
-    mesh.polygon_bytes += piece.polygons.bytes.size();
-    mesh.stitching_bytes += piece.turned.bytes.size() + piece.stitches.bytes.size() +
-                            piece.repeats.bytes.size() + piece.folded.bytes.size() +
-                            piece.loose.bytes.size() + piece.seam_size;
+    mesh.polygon_bytes += piece.polygons.stream.bytes.size();
+    mesh.stitching_bytes += piece.reversed.stream.bytes.size() + piece.copies.stream.bytes.size() +
+                            piece.repeats.stream.bytes.size() + piece.folded.stream.bytes.size() +
+                            piece.degenerate.stream.bytes.size() + piece.seam_size;
     add_attributes(piece, mesh);
   }
   if (s.metadata) mesh.metadata_bytes = s.metadata->payload_size;

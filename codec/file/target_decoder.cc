@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "codec/base/check.h"
+#include "codec/base/faces.h"
 #include "codec/base/parallel.h"
 #include "codec/file/decode_meshes.h"
 #include "codec/file/mesh_decoder.h"
 #include "codec/soup/edges.h"
-#include "codec/soup/faces.h"
 #include "topology/ids.h"
 
 namespace clers::internal {

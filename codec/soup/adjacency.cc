@@ -1,13 +1,14 @@
 #include "codec/soup/adjacency.h"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <utility>
 
+#include "codec/base/no_index.h"
+
 namespace clers::internal {
 namespace {
-
-constexpr std::uint32_t none = HalfEdge::null_index;
 
 /// Matches half-edges while the faces stream by.
 ///
@@ -53,8 +54,8 @@ class StreamingMatcher {
   static constexpr std::uint32_t max_vertices = 1u << 30;
 
   struct Slot {
-    Key awaited = none;              ///< of the half-edge to come; none: no edge is here
-    std::uint32_t half_edge = none;  ///< that was met
+    Key awaited = no_index;              ///< of the half-edge to come; none: no edge is here
+    std::uint32_t half_edge = no_index;  ///< that was met
     bool is_free_or(Key key) const { return std::min(awaited ^ key, ~awaited) == 0; }
     bool has_edge_of(Key key) const { return ((awaited ^ key) & ~(matched | 1)) == 0; }
   };
@@ -132,7 +133,7 @@ class StreamingMatcher {
     std::uint32_t at = place(key);
     for (unsigned left = places; left > 0; --left, at = (at + 1) % places) {
       Slot& slot = cells_[low].slots[at];
-      if (slot.awaited == none || slot.awaited == key) return &slot;
+      if (slot.awaited == no_index || slot.awaited == key) return &slot;
       if (slot.has_edge_of(key)) {
         misfits_.push_back(std::uint64_t(slot.half_edge) << 32 | h);
         return nullptr;
@@ -209,31 +210,25 @@ std::uint64_t fan_size(const Faces& faces, std::span<const HalfEdge> twins, std:
   do {
     ++count;
     h = twins[faces.prev(h)].index();
-  } while (h != none && h != start);
+  } while (h != no_index && h != start);
   if (h == start) return count;
-  for (h = twins[start].index(); h != none; h = twins[faces.next(h)].index()) ++count;
+  for (h = twins[start].index(); h != no_index; h = twins[faces.next(h)].index()) ++count;
   return count;
 }
 
 }  // namespace
 
 void order_defects(Adjacency& adjacency) {
-  struct Edge {
-    std::uint32_t first, begin, end;
-  };
-  std::vector<Edge> edges;
-  edges.reserve(adjacency.ends.size());
-  for (std::uint32_t begin = 0; const std::uint32_t end : adjacency.ends) {
-    edges.push_back({adjacency.sides[begin], begin, end});
-    begin = end;
-  }
-  std::sort(edges.begin(), edges.end(),
-            [](const Edge& a, const Edge& b) { return a.first < b.first; });
-  const std::vector<std::uint32_t> sides = std::move(adjacency.sides);
-  adjacency.sides.clear();
-  adjacency.ends.clear();
-  for (const Edge& e : edges) {
-    adjacency.sides.insert(adjacency.sides.end(), sides.begin() + e.begin, sides.begin() + e.end);
+  Adjacency all;
+  all.sides.swap(adjacency.sides);
+  all.ends.swap(adjacency.ends);
+  std::vector<std::uint32_t> order(all.edges());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return all.edge(a)[0] < all.edge(b)[0]; });
+  for (const std::uint32_t e : order) {
+    const auto sides = all.edge(e);
+    adjacency.sides.insert(adjacency.sides.end(), sides.begin(), sides.end());
     adjacency.ends.push_back(static_cast<std::uint32_t>(adjacency.sides.size()));
   }
 }

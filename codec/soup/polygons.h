@@ -14,13 +14,11 @@
 #ifndef CLERS_CODEC_SOUP_POLYGONS_H
 #define CLERS_CODEC_SOUP_POLYGONS_H
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "codec/entropy/coder.h"
-#include "codec/soup/faces.h"
+#include "codec/base/faces.h"
 #include "topology/ids.h"
 
 namespace clers::internal {
@@ -37,21 +35,6 @@ struct Triangulation {
 /// manifold surface whose vertices are one fan each. Cost: linear. Throws std::bad_alloc only.
 Triangulation triangulate(const Faces& faces, std::span<const HalfEdge> twins,
                           std::uint32_t vertex_count);
-
-/// The sizes of polygons, each in the context of the two before.
-class SizeModel {
- public:
-  template <class Coder>
-  std::uint32_t code(Coder& coder, std::uint32_t size) {
-    size = 3 + sizes_[before_].code(coder, size - 3);
-    before_ = (before_ * 3 + std::min(size - 3, 2u)) % 9;
-    return size;
-  }
-
- private:
-  NumberModel sizes_[9];
-  unsigned before_ = 0;  ///< sizes 3, 4, more of the last two
-};
 
 }  // namespace clers::internal
 
