@@ -1,4 +1,5 @@
-// Numbers sorted by keys that are numbers too: a counting sort. Corners by vertex, mostly.
+// Numbers sorted by keys that are numbers too: a counting sort. Corners by vertex, mostly, though
+// this knows of neither.
 #ifndef CLERS_CODEC_BASE_BUCKETS_H
 #define CLERS_CODEC_BASE_BUCKETS_H
 

@@ -1,4 +1,4 @@
-// What a call may still take of Limits::memory.
+// What a call may still take of Limits::memory. Knows what bytes were counted, and not for what.
 //
 // Headers say how large everything will be. So the peak of a call is known before any of it is
 // made, and a file is refused or decoded whatever the number of threads: only as many work at a

@@ -1,4 +1,5 @@
-// What is wrong with a mesh that a caller hands in, before anything relies on it.
+// What is wrong with a mesh that a caller hands in, before anything relies on it. Knows the arrays
+// alone.
 #ifndef CLERS_CODEC_BASE_CHECK_H
 #define CLERS_CODEC_BASE_CHECK_H
 

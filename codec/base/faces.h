@@ -1,4 +1,4 @@
-// Faces of any size as cycles of corners in one array.
+// Faces of any size as cycles of corners in one array: a view that knows neither edges nor values.
 #ifndef CLERS_CODEC_BASE_FACES_H
 #define CLERS_CODEC_BASE_FACES_H
 

@@ -1,4 +1,4 @@
-// Independent pieces of work, done by several threads.
+// Independent pieces of work, done by several threads. No other file of the library starts one.
 #ifndef CLERS_CODEC_BASE_PARALLEL_H
 #define CLERS_CODEC_BASE_PARALLEL_H
 

@@ -9,7 +9,7 @@
 namespace clers::internal {
 
 /// The place of the first byte that is no part of a character; text.size() if there is none.
-/// Overlong forms, surrogates and what lies above U+10FFFF are no characters.
+/// Overlong forms, surrogates and what is above U+10FFFF are no characters.
 inline std::size_t first_not_utf8(std::string_view text) {
   const auto byte = [&](std::size_t i) -> std::uint32_t {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0;

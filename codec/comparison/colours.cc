@@ -1,3 +1,4 @@
+// Classes by sorting.
 #include "codec/comparison/colours.h"
 
 #include <algorithm>

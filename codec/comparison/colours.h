@@ -1,6 +1,6 @@
 // Colours of a comparison: hashes of what a renumbering keeps, and elements in classes by them.
 //
-// Different colours prove a difference. Equal ones prove nothing.
+// Different colours prove a difference. Equal ones prove nothing. Knows no mesh.
 #ifndef CLERS_CODEC_COMPARISON_COLOURS_H
 #define CLERS_CODEC_COMPARISON_COLOURS_H
 

@@ -1,3 +1,4 @@
+// Values as colours, and what keeps a mesh from being compared.
 #include "codec/comparison/compared_mesh.h"
 
 #include <algorithm>

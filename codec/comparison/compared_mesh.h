@@ -1,4 +1,5 @@
 // One of two meshes that are compared: attributes in an order that both share, values as colours.
+// Like all of this folder it knows meshes as a caller has them, and nothing of the codec but faces.
 #ifndef CLERS_CODEC_COMPARISON_COMPARED_MESH_H
 #define CLERS_CODEC_COMPARISON_COMPARED_MESH_H
 

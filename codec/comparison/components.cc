@@ -1,3 +1,4 @@
+// Disjoint sets of vertices, then a counting sort of the faces.
 #include "codec/comparison/components.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The components of a compared mesh: faces that hang together by vertices.
+// The components of a compared mesh: faces that vertices connect. Knows colours of faces.
 #ifndef CLERS_CODEC_COMPARISON_COMPONENTS_H
 #define CLERS_CODEC_COMPARISON_COMPONENTS_H
 

@@ -1,3 +1,4 @@
+// Cells as ranges of two orders, split by how often their elements are touched.
 #include "codec/comparison/equitable.h"
 
 #include <algorithm>
@@ -190,7 +191,7 @@ class Cells {
   std::array<Index, 2> odd_ = {no_index, no_index};
 };
 
-/// The colours of vertices, told apart by their component.
+/// The colours of vertices, which differ where their components do.
 std::vector<Colour> vertex_colours(const Side& side) {
   std::vector<Colour> colours = side.mesh.colour;
   std::vector<bool> seen(colours.size());
@@ -205,7 +206,7 @@ std::vector<Colour> vertex_colours(const Side& side) {
 }
 
 /// What is known of a corner besides its vertex and neighbours: values, and how many faces run
-/// along the edge that begins there, either way. Cells alone would not see a face that is turned
+/// along the edge that begins there, either way. Cells alone would not see a face that is reversed
 /// where every face is there both ways.
 std::vector<Colour> corner_colours(const Side& side) {
   const ComparedMesh& mesh = side.mesh;
@@ -253,7 +254,7 @@ class Refinement {
   }
 
  private:
-  /// Splits until no cell tells the elements of another apart: a cell of vertices by who is at the
+  /// Splits until no cell divides another: a cell of vertices by who is at the
   /// corners, a cell of corners by what comes next in faces and by how often a vertex has them.
   bool refine() {
     for (;;) {

@@ -1,5 +1,5 @@
-// Both meshes cut into cells at once, until the elements of a cell cannot be told apart by what
-// lies around them; then vertices are singled out, one of each mesh, until every cell has one.
+// Both meshes cut into cells at once, until the elements of a cell do not differ in what is around
+// them; then vertices are singled out, one of each mesh, until every cell has one.
 //
 // Colour refinement with the smaller half (Cardon and Crochemore 1982), and individualisation
 // (McKay and Piperno, Practical graph isomorphism II, 2014) along a single path, without going

@@ -1,3 +1,4 @@
+// A search with going back, whose steps are counted.
 #include "codec/comparison/isomorphism.h"
 
 #include <algorithm>
@@ -96,7 +97,7 @@ Isomorphism::Choice Isomorphism::first_choice(Index k, Index l) {
   return {from_->mesh.faces.begin(faces[rarest].second), first_candidates_};
 }
 
-/// A face not matched yet at a vertex that is: it lies across a vertex or edge of several sheets.
+/// A face not matched yet at a vertex that is: it is across a vertex or edge of several sheets.
 std::optional<Isomorphism::Choice> Isomorphism::next_choice() {
   for (; cursor_ < vertices_.size(); ++cursor_)
     for (const Index c : from_->stars.at(vertices_[cursor_])) {

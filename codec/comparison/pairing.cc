@@ -1,3 +1,4 @@
+// Kinds of components, each with the search that founded it.
 #include "codec/comparison/pairing.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Which component of one mesh becomes which of another?
 //
-// Components of one colour are nearly always isomorphic, but only a search can tell. Each of the
+// Components of one colour are nearly always isomorphic, but only a search can say. Each of the
 // first mesh is compared with one of every kind known so far, and joins that kind or founds one;
 // each of the second then takes one of its kind, no matter which. So a component is searched for
 // as often as there are kinds of its colour, however many others there are.

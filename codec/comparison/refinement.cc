@@ -1,3 +1,4 @@
+// The hash of a face read from each of its corners: a polynomial that is rotated in constant time.
 #include "codec/comparison/refinement.h"
 
 #include <cstddef>

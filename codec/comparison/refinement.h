@@ -1,4 +1,5 @@
-// Colour refinement (Weisfeiler and Leman 1968): elements learn what lies around them.
+// Colour refinement (Weisfeiler and Leman 1968): elements learn what is around them.
+// Knows hashes alone.
 #ifndef CLERS_CODEC_COMPARISON_REFINEMENT_H
 #define CLERS_CODEC_COMPARISON_REFINEMENT_H
 

@@ -1,3 +1,4 @@
+// Least rotations of faces, sorted by hash and compared by bits.
 #include "codec/comparison/renumbering.h"
 
 #include <algorithm>

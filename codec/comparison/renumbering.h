@@ -1,4 +1,5 @@
-// The proof of a comparison: does this renumbering carry one mesh onto the other?
+// The proof of a comparison: does this renumbering carry one mesh onto the other? Knows bits, and
+// trusts no colour.
 #ifndef CLERS_CODEC_COMPARISON_RENUMBERING_H
 #define CLERS_CODEC_COMPARISON_RENUMBERING_H
 

@@ -1,4 +1,5 @@
-// Little-endian numbers in bytes, read with every bound checked.
+// Little-endian numbers in bytes, read with every bound checked. Knows no entropy coder, and of a
+// file only where in it the bytes are.
 #ifndef CLERS_CODEC_ENTROPY_BYTES_H
 #define CLERS_CODEC_ENTROPY_BYTES_H
 
@@ -33,7 +34,7 @@ inline void put_bytes(Bytes& out, std::span<const std::byte> v) {
   out.insert(out.end(), v.begin(), v.end());
 }
 
-/// Reads forward. The first failure stays: later reads give zeros, and error() tells it.
+/// Reads forward. The first failure stays: later reads give zeros, and error() has it.
 class ByteReader {
  public:
   /// `at` is the offset of the first byte in the file.

@@ -1,7 +1,7 @@
 // Decisions and numbers with adaptive probabilities, on rANS.
 //
 // Each is written once, for a Coder that either encodes the value it is given or ignores it and
-// decodes one, so that the two directions cannot drift apart.
+// decodes one, so that the two directions cannot drift apart. Knows no mesh.
 #ifndef CLERS_CODEC_ENTROPY_CODER_H
 #define CLERS_CODEC_ENTROPY_CODER_H
 

@@ -1,7 +1,7 @@
 // Range asymmetric numeral systems: the entropy coder under all symbols (Duda, arXiv 1311.2540).
 //
 // State of 32 bits, 16-bit words, probabilities of 15 bits. Decoding reads what encoding wrote in
-// opposite order, so the encoder collects intervals and writes them last first.
+// opposite order, so the encoder collects intervals and writes them last first. Knows no model.
 #ifndef CLERS_CODEC_ENTROPY_RANS_H
 #define CLERS_CODEC_ENTROPY_RANS_H
 
@@ -83,10 +83,10 @@ class Decoder {
     canonical_ = size > 0 && state_ >> 8 * (size - 1) != 0;
   }
 
-  /// Where in [0, scale) the next interval lies.
+  /// A place in [0, scale) within the next interval.
   std::uint32_t slot() const { return state_ & (scale - 1); }
 
-  /// Goes past the interval that slot() lies in.
+  /// Goes past the interval that slot() is in.
   [[gnu::always_inline]] void advance(std::uint32_t start, std::uint32_t size) {
     state_ = size * (state_ >> scale_bits) + slot() - start;
     if (state_ < low && next_ != end_) state_ = state_ << 16 | word();

@@ -1,4 +1,5 @@
-// What a payload that zstd packed must be.
+// What a payload that zstd packed must be: checked before anything is unpacked. Knows not what is
+// in it.
 #ifndef CLERS_CODEC_ENTROPY_ZSTD_FRAME_H
 #define CLERS_CODEC_ENTROPY_ZSTD_FRAME_H
 
@@ -23,7 +24,7 @@ inline std::size_t zstd_result(std::size_t result) {
   return result;
 }
 
-/// Whether bytes are one zstd frame that can hold `size` bytes, as far as it can be told without
+/// Whether bytes are one zstd frame that can hold `size` bytes, as far as it can be seen without
 /// unpacking it. `at` is their offset in the file, `what` names them for errors: invalid.
 inline Expected<Done> check_frame(std::span<const std::byte> packed, std::uint64_t at,
                                   std::uint64_t size, const std::string& what) {

@@ -1,3 +1,4 @@
+// Sections, each with a checksum of all that was written before it.
 #include "codec/file/container.h"
 
 #include <xxhash.h>

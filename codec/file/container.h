@@ -1,5 +1,5 @@
 // The frame of a .clers file: a header, then sections, each with its kind, length and checksum.
-// codec/format.md describes the bytes.
+// Knows no payload. codec/format.md describes the bytes.
 #ifndef CLERS_CODEC_FILE_CONTAINER_H
 #define CLERS_CODEC_FILE_CONTAINER_H
 

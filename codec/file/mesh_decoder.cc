@@ -1,3 +1,5 @@
+// The sequence of decoding: connectivity, what undoes the cuts, other faces, values, reversed
+// faces.
 #include "codec/file/mesh_decoder.h"
 
 #include <algorithm>

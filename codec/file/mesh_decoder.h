@@ -1,4 +1,5 @@
-// The sections of a mesh -> the mesh.
+// The sections of a mesh -> the mesh: which stream is decoded after which, and what memory all that
+// takes. Knows the streams by their rooms, and nothing of what is in them.
 #ifndef CLERS_CODEC_FILE_MESH_DECODER_H
 #define CLERS_CODEC_FILE_MESH_DECODER_H
 

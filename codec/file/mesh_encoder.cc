@@ -1,3 +1,4 @@
+// The sequence of encoding, and its report.
 #include "codec/file/mesh_encoder.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// A mesh -> the sections of it.
+// A mesh -> the sections of it: which stream is encoded after which, and whether the faces are raw
+// instead. Knows the streams by their rooms, and nothing of what is in them.
 #ifndef CLERS_CODEC_FILE_MESH_ENCODER_H
 #define CLERS_CODEC_FILE_MESH_ENCODER_H
 

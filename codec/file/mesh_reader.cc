@@ -1,3 +1,4 @@
+// A section at a time; what is known of a mesh only when all its sections were met comes last.
 #include "codec/file/mesh_reader.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// One zstd frame of all entries.
 #include "codec/file/metadata.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// What a mesh's file said besides the mesh <-> bytes.
+// What a mesh's file said besides the mesh <-> bytes. Knows keys and values, and no meaning.
+// codec/format.md, Metadata.
 #ifndef CLERS_CODEC_FILE_METADATA_H
 #define CLERS_CODEC_FILE_METADATA_H
 

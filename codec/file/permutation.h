@@ -1,6 +1,6 @@
 // A permutation of a mesh, applied: faces, corners and values in another order. Encoding brings
 // them into the order in which they are coded; decoding, where the order of the file was kept,
-// back.
+// back. Knows no bytes.
 #ifndef CLERS_CODEC_FILE_PERMUTATION_H
 #define CLERS_CODEC_FILE_PERMUTATION_H
 

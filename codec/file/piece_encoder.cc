@@ -1,3 +1,4 @@
+// Vertices that an earlier piece has are its seam; all others are numbered on.
 #include "codec/file/piece_encoder.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Each piece writes where no other one does.
 #include "codec/pieces/assembly.h"
 
 #include <cstring>

@@ -1,3 +1,5 @@
+// Halving after halving (Fiduccia and Mattheyses, A linear-time heuristic, 1982), then exchanges
+// between neighbours.
 #include "codec/pieces/bisection.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Parting a graph so that few of its edges are cut.
+// Partitioning a graph so that few of its edges are cut. Knows no mesh.
 #ifndef CLERS_CODEC_PIECES_BISECTION_H
 #define CLERS_CODEC_PIECES_BISECTION_H
 

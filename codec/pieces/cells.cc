@@ -1,3 +1,4 @@
+// Halves of halves on a sample of the positions; without positions, breadth first.
 #include "codec/pieces/cells.h"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ class Tree {
       : places_(places), each_(each) {
     const std::uint32_t leaves = static_cast<std::uint32_t>(
         std::min(std::uint64_t(pieces), 0xffffffffu / std::uint64_t(each)) * each);
-    // 32 vertices a leaf, and some 2^14 in all, tell well enough where the middle is.
+    // 32 vertices a leaf, and some 2^14 in all, show well enough where the middle is.
     const std::uint64_t enough = std::max<std::uint64_t>(1u << 14, 32 * std::uint64_t(leaves));
     unsigned shift = 0;  // one vertex in 2^shift is chosen
     while (vertex_count >> shift > enough) ++shift;
@@ -62,7 +63,7 @@ class Tree {
     grow(sample, leaves, 0);
   }
 
-  /// The leaves, counted from the left, where vertices v, v + 1 .. lie. Several go down at a time,
+  /// The leaves, counted from the left, where vertices v, v + 1 .. are. Several go down at a time,
   /// and all as far, so that no step waits for another or need be guessed: a leaf follows itself.
   template <std::uint32_t several>
   void find(std::uint32_t v, std::uint32_t* leaf) const {
@@ -132,7 +133,7 @@ class Tree {
                                              std::uint64_t(sample.size() - 1) * half / leaves);
     std::nth_element(sample.begin(), middle, sample.end(), less);
     node.most = places_.at(node.axis, *middle);
-    // What lies at one place cannot be parted: then less goes to the left.
+    // What is at one place cannot be parted: then less goes to the left.
     if (node.most == end) {
       node.most = 0;
       for (const std::uint32_t v : sample)

@@ -1,4 +1,5 @@
-// Small cells of a mesh, in space where it has places, else grown along its faces.
+// Small cells of a mesh, in space where it has positions, else grown along its faces. Knows nothing
+// of pieces but how many cells they need.
 #ifndef CLERS_CODEC_PIECES_CELLS_H
 #define CLERS_CODEC_PIECES_CELLS_H
 
@@ -10,7 +11,7 @@
 
 namespace clers::internal {
 
-/// Where vertices lie: numbers that sort like their coordinates.
+/// Where vertices are: numbers that sort like their coordinates.
 class SpatialKeys {
  public:
   /// Cost: linear, but for coordinates of 64 bits n log n; 4 bytes a coordinate.
@@ -46,7 +47,7 @@ class SpatialKeys {
 };
 
 /// The cell of each vertex: `pieces` times `each` cells or somewhat fewer, of about as many
-/// vertices. Those of a piece have numbers that follow each other and lie together, for a first
+/// vertices. Those of a piece have numbers that follow each other and are neighbours, for a first
 /// idea of the pieces.
 ///
 /// In space cells are halves of halves, by planes across an axis that cut few edges, so they depend

@@ -1,3 +1,4 @@
+// Patches within cells as the nodes of a graph; then vertices at which pieces are pinched.
 #include "codec/pieces/partition.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@
 namespace clers::internal {
 namespace {
 
-/// A mesh as a graph: what hangs together in a cell is a node, weighing its vertices; what joins
+/// A mesh as a graph: what is connected within a cell is a node, weighing its vertices; what joins
 /// two such are the sides of faces that run between them.
 struct Patches {
   std::vector<std::uint32_t> node;  ///< of each vertex
@@ -47,7 +48,7 @@ void set_arcs(std::vector<std::uint64_t> edges, Graph& graph) {
   begin.pop_back();
 }
 
-/// A component of at most `small` vertices is not parted, and lies as a whole where its first node
+/// A component of at most `small` vertices is not parted, and goes as a whole where its first node
 /// does. All such of a cell are one node, for there may be as many as vertices.
 Patches patches_of(const SpatialKeys& places, const Faces& faces,
                    const std::vector<std::uint32_t>& cell, std::uint32_t small) {

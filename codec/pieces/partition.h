@@ -1,4 +1,4 @@
-// Which faces of a mesh are coded together, where it is coded in pieces.
+// Which faces of a mesh are coded together, where it is coded in pieces. Knows nothing of how.
 #ifndef CLERS_CODEC_PIECES_PARTITION_H
 #define CLERS_CODEC_PIECES_PARTITION_H
 
@@ -24,10 +24,10 @@ struct Partition {
 /// Parts the faces into as many pieces as it takes for `piece_faces` in each; a piece may have some
 /// percent more. Seams are short along the surface: faces that are connected within a small cell of
 /// space stay together, and of such patches pieces are made so that few edges are cut (`cells.h`,
-/// `bisection.h`). A face lies where most of its vertices do, and a component that is small beside
-/// a piece lies as a whole in one.
+/// `bisection.h`). A face goes where most of its vertices do, and a component that is small beside
+/// a piece goes into one as a whole.
 ///
-/// Vertices at one place are never told apart, so the parts depend on neither the order of faces
+/// Vertices at one place always go together, so the parts depend on neither the order of faces
 /// nor that of vertices. Without positions cells grow along the faces, and the parts do depend on
 /// that. Precondition: the mesh is consistent. Cost: linear, and n log n in the patches; some 20
 /// bytes a face. Throws std::bad_alloc only.

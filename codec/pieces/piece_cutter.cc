@@ -1,3 +1,4 @@
+// Vertices numbered as the faces of a piece use them.
 #include "codec/pieces/piece_cutter.h"
 
 #include <algorithm>

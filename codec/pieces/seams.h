@@ -1,5 +1,5 @@
 // The seam of a piece: which of its vertices are vertices of pieces before it. Knows vertices by
-// their numbers in the piece and in the mesh, and nothing of faces. codec/format.md, Seam.
+// their numbers in the piece and in the mesh, and nothing of faces. codec/format.md, Pieces.
 //
 // Along a seam the boundary vertices of both pieces were finished one after the other, in opposite
 // directions. So numbers run up in one piece and down in the other, and what is coded are runs:

@@ -1,3 +1,4 @@
+// Half-edges matched while faces stream by; what does not fit is sorted afterwards.
 #include "codec/soup/adjacency.h"
 
 #include <algorithm>
@@ -13,12 +14,12 @@ namespace {
 /// Matches half-edges while the faces stream by.
 ///
 /// The edges of a vertex to larger vertices fill one cache line; in the order of most files it is
-/// in cache already. An edge lies where the larger vertex puts it, so it is found, or its place is
+/// in cache already. An edge is where the larger vertex puts it, so it is found, or its place is
 /// found empty, at the first look and without a branch that depends on which: what irregular meshes
 /// would cost here is the branches that nobody can predict. Edges whose place is taken go to the
 /// next one. Edges that find their line full (hubs) are matched by sorting, after all others.
 ///
-/// A half-edge that does not fit the edge it lies on, a third or one that runs the same way as the
+/// A half-edge that does not fit the edge it is on, a third or one that runs the same way as the
 /// first, is noted and the matching goes on: what a few such edges cost does not depend on the size
 /// of the mesh.
 class StreamingMatcher {
@@ -65,7 +66,7 @@ class StreamingMatcher {
   };
   static std::uint32_t place(Key key) { return (key >> 1) * 0x9e3779b1u >> 29; }
 
-  /// Whether faces that follow each other lie far from each other: then each waits for memory.
+  /// Whether faces that follow each other are far from each other: then each waits for memory.
   bool shuffled(std::uint32_t n) const {
     constexpr std::uint32_t far = 1u << 12, samples = 256;
     const std::uint32_t faces = n / 3;

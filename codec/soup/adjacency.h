@@ -1,4 +1,5 @@
-// Which half-edges are two sides of one edge, and whether faces form a manifold.
+// Which half-edges are two sides of one edge, and whether faces form a manifold (CAGD 2010, §2.1).
+// Knows faces, and changes none.
 #ifndef CLERS_CODEC_SOUP_ADJACENCY_H
 #define CLERS_CODEC_SOUP_ADJACENCY_H
 

@@ -1,3 +1,5 @@
+// Doubled sheets, then regions by orientation, then crowded edges, then zips; last, vertices by
+// fan.
 #include "codec/soup/cut.h"
 
 #include <algorithm>
@@ -321,7 +323,7 @@ class Cutter {
     }
   }
 
-  /// 2 less the ends of an edge at which another face lies between these two, as faces of one cell
+  /// 2 less the ends of an edge at which another face is between these two, as faces of one cell
   /// do: in a grid of cubes, 2 across an edge and 0 round a corner.
   unsigned straightness(std::uint32_t g, std::uint32_t h) {
     if (corners_.empty()) mark_corners();
@@ -394,7 +396,7 @@ class FanSplitter {
   }
 
   /// Of those where a boundary begins twice, and the ends of defective edges. A vertex at which
-  /// closed fans touch, of which no edge tells, is not among them.
+  /// closed fans touch, which no edge shows, is not among them.
   void split_at(std::span<const std::uint32_t> defects) {
     std::vector<bool> bounds(vertices_), chosen(vertices_);
     bool any = false;

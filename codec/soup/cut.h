@@ -1,4 +1,6 @@
-// Any faces -> an oriented manifold surface, by few cuts.
+// Any faces -> an oriented manifold surface, by few cuts. It glues, zips and splits as the
+// operators of CAGD 2010, §5.1.1, do, where there is no surface yet that these could change. Knows
+// faces and edges, and nothing of what cuts cost in bytes.
 #ifndef CLERS_CODEC_SOUP_CUT_H
 #define CLERS_CODEC_SOUP_CUT_H
 
@@ -22,7 +24,7 @@ struct CutSurface {
   std::vector<std::uint32_t> reversed;  ///< faces, ascending
 };
 
-/// At which vertices fans are told apart.
+/// At which vertices each fan gets a vertex of its own.
 enum class Fans { at_defects, all };
 
 /// Glues faces along edges as far as an oriented manifold allows.

@@ -1,3 +1,4 @@
+// In the order of the options.
 #include "codec/soup/defects.h"
 
 #include <string>

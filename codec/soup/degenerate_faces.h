@@ -3,7 +3,7 @@
 //
 // They are coded one by one, by their vertices: in rising order, each rotated to its least sequence
 // of vertices, since cycles have no first corner. Decoding appends them to the other faces. Knows
-// the triangles of the surface by vertices of the mesh. codec/format.md, Mesh.
+// the triangles of the surface by vertices of the mesh. codec/format.md, Degenerate faces.
 #ifndef CLERS_CODEC_SOUP_DEGENERATE_FACES_H
 #define CLERS_CODEC_SOUP_DEGENERATE_FACES_H
 

@@ -1,3 +1,4 @@
+// Cycles at the same defective edge, sorted.
 #include "codec/soup/distinct_faces.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Which faces repeat another one, and the faces without them: what a surface is made of. Knows how
-// faces lie on edges.
+// faces meet at edges.
 #ifndef CLERS_CODEC_SOUP_DISTINCT_FACES_H
 #define CLERS_CODEC_SOUP_DISTINCT_FACES_H
 
@@ -22,8 +22,8 @@ std::vector<Repeat> find_repeats(const Faces& faces, const Adjacency& adjacency)
 struct DistinctFaces {
   DistinctFaces(const Faces& all, std::span<const Repeat> repeats);
 
-  /// How their half-edges lie on edges, from how all do: what match_edges() would find. Cost:
-  /// linear, but for a sort of the defective edges.
+  /// Which of their half-edges are on one edge, from that of all: what match_edges() would find.
+  /// Cost: linear, but for a sort of the defective edges.
   Adjacency adjacency(const Faces& all, Adjacency of_all) const;
 
   std::vector<std::uint32_t> faces;           ///< of all

@@ -1,3 +1,4 @@
+// Faces with sorted corners, sorted.
 #include "codec/soup/duplicates.h"
 
 #include <algorithm>

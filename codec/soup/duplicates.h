@@ -1,4 +1,5 @@
-// Faces on the same vertices.
+// Faces on the same vertices, in whatever cycle. Serves those who refuse or count them; what is
+// coded as a repeat is another question (distinct_faces.h).
 #ifndef CLERS_CODEC_SOUP_DUPLICATES_H
 #define CLERS_CODEC_SOUP_DUPLICATES_H
 

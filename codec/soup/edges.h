@@ -1,4 +1,5 @@
-// The half-edges of faces, those of one edge together.
+// The half-edges of faces, those of one edge together: any edges, without a word on what a surface
+// may have.
 #ifndef CLERS_CODEC_SOUP_EDGES_H
 #define CLERS_CODEC_SOUP_EDGES_H
 

@@ -1,7 +1,7 @@
 // Triangles on the two ends of an edge of the surface, one of them twice: what strips of triangles
 // and simplification leave. All they need is to say which edge, and which end is there twice.
 // Decoding appends them to the faces of the surface, whose triangles this knows by vertices of the
-// mesh. codec/format.md, Mesh.
+// mesh. codec/format.md, Folded faces.
 #ifndef CLERS_CODEC_SOUP_FOLDED_FACES_H
 #define CLERS_CODEC_SOUP_FOLDED_FACES_H
 

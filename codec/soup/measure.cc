@@ -1,3 +1,4 @@
+// Disjoint sets of corners, faces and sides.
 #include "codec/soup/measure.h"
 
 #include <algorithm>
@@ -73,7 +74,7 @@ class Measuring {
       return sides_of_faces.find(2 * f) == sides_of_faces.find(2 * f + 1);
     });
 
-    // An open fan lies between two boundary edges, so boundary edges linked by fans are the curves.
+    // An open fan is between two boundary edges, so boundary edges linked by fans are the curves.
     DisjointSets curves(corners_);
     std::vector<bool> on_boundary(corners_);
     for (std::uint32_t c = 0; c < corners_; ++c) {
@@ -89,7 +90,7 @@ class Measuring {
         static_cast<std::int64_t>(shape_.faces - shape_.degenerate_faces);
     const std::int64_t chi =
         static_cast<std::int64_t>(vertices) - static_cast<std::int64_t>(edges) + regular_faces;
-    // Euler-Poincare (paper §2.2): chi = 2 (s - g) - b.
+    // Euler-Poincaré (CAGD 2010, §2.2): chi = 2 (s - g) - b.
     const auto components = static_cast<std::int64_t>(shape_.surface.components),
                curves_left = static_cast<std::int64_t>(shape_.surface.boundary_curves);
     shape_.surface.genus = static_cast<std::uint64_t>((2 * components - curves_left - chi) / 2);

@@ -1,4 +1,5 @@
-// Counts what a mesh is, as the surface that is left when it is cut where it is none.
+// Counts what a mesh is, as the surface that is left when it is cut where it is none (CAGD 2010,
+// §2.2). An independent witness: knows neither how the codec cuts nor how it pairs half-edges.
 #ifndef CLERS_CODEC_SOUP_MEASURE_H
 #define CLERS_CODEC_SOUP_MEASURE_H
 

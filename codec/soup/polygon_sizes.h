@@ -1,5 +1,5 @@
 // Which triangles of a surface make a polygon. The triangles of one follow each other, so its size
-// says it. Decoding checks that they do, and makes polygons of them. codec/format.md, Mesh.
+// says it. Decoding checks that they do, and makes polygons of them. codec/format.md, Polygons.
 //
 // A polygon entered through the edge a -> b is a fan of triangles around b, from a on; the side
 // b -> v of each but the last is the diagonal through which the next one is entered:

@@ -1,5 +1,5 @@
 // Raw faces: corner by corner in the order of the input, for meshes that are hardly a surface, or
-// whose order costs more than a surface saves. Knows no surface. codec/format.md, Mesh.
+// whose order costs more than a surface saves. Knows no surface. codec/format.md, Raw faces.
 #ifndef CLERS_CODEC_SOUP_RAW_FACES_H
 #define CLERS_CODEC_SOUP_RAW_FACES_H
 

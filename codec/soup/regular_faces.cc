@@ -1,3 +1,4 @@
+// The last face of each vertex shows whether it has the vertex twice.
 #include "codec/soup/regular_faces.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Faces on the vertices of an earlier face, in the same cycle or in the reversed one: all they need
 // is to say which. So a doubled surface is coded once, and its edges are those of one surface.
-// Decoding appends them to the faces of the surface. codec/format.md, Mesh.
+// Decoding appends them to the faces of the surface. codec/format.md, Repeated faces.
 #ifndef CLERS_CODEC_SOUP_REPEATED_FACES_H
 #define CLERS_CODEC_SOUP_REPEATED_FACES_H
 

@@ -1,6 +1,6 @@
 // Faces that were reversed so that their component is oriented: which they are, coded as runs in
 // the order of the coded faces. Decoding reverses them again. Knows faces only as cycles of
-// corners. codec/format.md, Mesh.
+// corners. codec/format.md, Reversed faces.
 #ifndef CLERS_CODEC_SOUP_REVERSED_FACES_H
 #define CLERS_CODEC_SOUP_REVERSED_FACES_H
 

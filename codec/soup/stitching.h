@@ -1,5 +1,5 @@
 // What undoes the cuts: which vertices of a surface are copies of one vertex of the mesh. Decoding
-// makes one of them again. Knows the triangles of a surface. codec/format.md, Mesh; the paper's
+// makes one of them again. Knows the triangles of a surface. codec/format.md, Copies; the paper's
 // Vertex and Point (CAGD 2010, Appendix A), as a stream.
 //
 // Of the vertices that are one in the mesh the first names their class; the others are its copies.

@@ -1,3 +1,4 @@
+// Cut only where the faces are no manifold; cut again where closed fans turn out to touch.
 #include "codec/soup/surface_encoder.h"
 
 #include <algorithm>

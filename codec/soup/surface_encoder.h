@@ -32,7 +32,7 @@ struct EncodedSurface {
 
 /// Encodes faces: those that repeat others as references, and the rest cut where it is no oriented
 /// manifold. Cuts, and which face another one repeats, depend on the order of the faces. Asks
-/// whether to give up where most sides lie on defective edges (adjacency.h), so that little of the
+/// whether to give up where most sides are on defective edges (adjacency.h), so that little of the
 /// faces is a surface.
 /// Precondition: every face has three corners or more, repeats no vertex, and vertices are below
 /// vertex_count. Errors: out_of_memory. Throws std::bad_alloc. Cost: linear, O(log n) for each

@@ -1,3 +1,4 @@
+// A few runs of the symbols, coded by each model of the level; what it learns from is not counted.
 #include "codec/symbols/choose_model.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// The tables, made at compile time from integers alone.
 #include "codec/symbols/logistic.h"
 
 namespace clers::internal {

@@ -1,3 +1,4 @@
+// Contexts, their counts and matches, and how they are mixed: in the order of codec/format.md.
 #include "codec/symbols/mixing_model.h"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ void count(std::uint32_t& counter, bool yes, unsigned most) {
 /// Rates of learning, .007 and .001, in units of 2^-31.
 constexpr std::uint32_t first_rate = 15032386, final_rate = 2147484;
 
-/// Hash of a few numbers, the first of which tells what for.
+/// Hash of a few numbers, the first of which says what for.
 template <class... Values>
 constexpr std::uint32_t hash(std::uint32_t what, Values... values) {
   std::uint32_t h = (what + 1) * 0x9e3779b1u;

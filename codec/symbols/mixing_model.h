@@ -105,7 +105,7 @@ class MixingModel {
     return &weights_[set][std::size_t(row_[set] * decisions + decision) * inputs];
   }
 
-  // What was built and told so far.
+  // What was built and coded so far.
   Neighbourhood around_;
   GateView gate_ = {};  ///< of the last symbol, or the next one
   bool two_edges_ = false;
@@ -119,7 +119,7 @@ class MixingModel {
   std::vector<Slot> slots_;
   std::array<Slot*, contexts> slot_ = {};
 
-  // Matches: two by what was told before, two by what lies around.
+  // Matches: two by the symbols before, two by what is around.
   std::array<Match, matches> match_;
   std::array<std::vector<std::uint32_t>, matches> places_;  ///< by hash: where it was seen last
   std::array<std::vector<Counter>, matches> confidence_;

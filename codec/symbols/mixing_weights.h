@@ -1,6 +1,6 @@
-// Weights that the mixer of codec/mixing_model.h begins with, in units of 1/4096: what it had
-// learned on average after other meshes (codec/format.md lists the inputs in the same order). By
-// decision: C, R, L, S.
+// Weights that the mixer of codec/symbols/mixing_model.h begins with, in units of 1/4096: what it
+// had learned on average after other meshes (codec/format.md lists the inputs in the same order).
+// By decision: C, R, L, S.
 #ifndef CLERS_CODEC_SYMBOLS_MIXING_WEIGHTS_H
 #define CLERS_CODEC_SYMBOLS_MIXING_WEIGHTS_H
 

@@ -4,8 +4,8 @@
 //        prev(x) <--- x ===gate===> y <--- next(y)
 //           inner neighbours of x, from the gate's side on: ends of the interior edges at x
 //
-// The record follows the front from outside: it is told each gate and symbol, and needs nothing of
-// how the surface is kept.
+// It follows the front from outside: it gets each gate and symbol, and knows nothing of how the
+// surface is kept.
 #ifndef CLERS_CODEC_SYMBOLS_NEIGHBOURHOOD_H
 #define CLERS_CODEC_SYMBOLS_NEIGHBOURHOOD_H
 
@@ -20,7 +20,7 @@ namespace clers::internal {
 
 class Neighbourhood {
  public:
-  /// The inner neighbours of a vertex that lie nearest to where it grew last, at most eight.
+  /// The inner neighbours of a vertex that are nearest to where it grew last, at most eight.
   class Fan {
    public:
     unsigned size() const { return size_; }
@@ -75,7 +75,7 @@ class Neighbourhood {
     at_[n] = {y, {}};
   }
 
-  /// After attach, with glue for S: x and q have become q, and before lies prev(q).
+  /// After attach, with glue for S: x and q have become q, and before it is prev(q).
   void glue(std::uint32_t x, std::uint32_t y, std::uint32_t p, std::uint32_t q,
             std::uint32_t before) {
     Fan& fan = at_[q].fan;

@@ -1,4 +1,4 @@
-// The five symbols of Edgebreaker (paper §7.2, Fig. 14) and how a handle or a hole shows among
+// The five symbols of Edgebreaker (CAGD 2010, §7.2, Fig. 14) and how a handle or a hole shows among
 // them.
 #ifndef CLERS_CODEC_SYMBOLS_SYMBOL_H
 #define CLERS_CODEC_SYMBOLS_SYMBOL_H
@@ -8,7 +8,7 @@
 
 namespace clers::internal {
 
-/// How the triangle behind the gate lies to what is already visited. The symbol names the side that
+/// How the triangle behind the gate meets what is already visited. The symbol names the side that
 /// is visited: L = left visited, the walk goes right. The numbers are the file format's.
 ///
 ///         v            v            v            v            v

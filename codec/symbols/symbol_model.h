@@ -1,4 +1,4 @@
-// Which model codes the symbols of a surface: one byte of its header.
+// Which model codes the symbols of a surface: one byte of its header. Knows the models by name.
 #ifndef CLERS_CODEC_SYMBOLS_SYMBOL_MODEL_H
 #define CLERS_CODEC_SYMBOLS_SYMBOL_MODEL_H
 
