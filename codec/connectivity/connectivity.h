@@ -1,4 +1,4 @@
-// The connectivity of one triangulated surface <-> bytes. codec/format.md describes the bytes.
+// The connectivity of one surface, as triangles, <-> bytes. codec/format.md describes the bytes.
 #ifndef CLERS_CODEC_CONNECTIVITY_CONNECTIVITY_H
 #define CLERS_CODEC_CONNECTIVITY_CONNECTIVITY_H
 
@@ -8,11 +8,11 @@
 #include <span>
 #include <vector>
 
+#include "codec/connectivity/coded_surface.h"
 #include "codec/connectivity/edgebreaker.h"
 #include "codec/error.h"
 #include "codec/symbols/symbol_model.h"
 #include "topology/ids.h"
-#include "topology/mirror.h"
 
 namespace clers::internal {
 
@@ -33,8 +33,9 @@ constexpr std::array<std::uint64_t, 5> in_word_order(const std::array<std::uint6
 
 struct EncodedConnectivity {
   std::vector<std::byte> bytes;
-  std::vector<HalfEdge> gates;  ///< for each face in the new order: its half-edge that comes first
+  std::vector<HalfEdge> gates;  ///< for each face in coded order: its half-edge that comes first
   std::vector<std::uint32_t> vertices;  ///< vertices[new] = old
+  std::vector<HalfEdge> twins;          ///< of the triangles in coded order, if they are wanted
   ConnectivityCounts counts;
   /// What holes and handles cost, the symbol S of each and all flags included, in 1/256 bits.
   std::uint64_t special_cost = 0;
@@ -43,13 +44,23 @@ struct EncodedConnectivity {
 /// Encodes a surface; its twins are consumed. Errors: nonmanifold_vertex (without saying which: to
 /// look beforehand would cost every mesh a fifth of its time), out_of_memory. Cost: linear, and
 /// O(log n) amortised for each handle.
-Expected<EncodedConnectivity> encode_connectivity(SurfaceArrays surface, int level);
+Expected<EncodedConnectivity> encode_connectivity(SurfaceArrays surface, int level,
+                                                  bool with_twins = false);
 
 /// The same bytes, with every operator run on a full surface too and the surface validated; `trace`
-/// receives the operators of the unbuilding as the surface found them. Slow. Errors: as above, and
+/// receives the operators of the unbuilding as the surface found them (OperatorTrace). Of polygons these are the
+/// operators on their triangles, which must be unbuilt in the same way. Slow. Errors: as above, and
 /// internal if the two do not agree.
 Expected<EncodedConnectivity> encode_connectivity_on_surface(SurfaceArrays surface, int level,
-                                                             OperatorTrace& trace);
+                                                             std::vector<std::uint8_t>& trace);
+
+/// Corners of the triangles of a surface in coded order, as vertices of the surface; of `surface`
+/// the twins are not looked at. Cost: linear.
+std::vector<std::uint32_t> triangle_corners(const SurfaceArrays& surface,
+                                            std::span<const HalfEdge> gates);
+
+/// What a decoder will find. Takes the twins out of `coded`. Cost: linear.
+CodedArrays coded_surface(const SurfaceArrays& surface, EncodedConnectivity& coded);
 
 /// Sizes at the front of encoded connectivity.
 struct ConnectivityHeader {

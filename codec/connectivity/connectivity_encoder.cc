@@ -172,22 +172,73 @@ bool agree(const DecodeScript& a, const DecodeScript& b) {
   return a.contexts == b.contexts && a.events == b.events && a.vertices == b.vertices;
 }
 
+std::uint32_t triangles_of(const SurfaceArrays& surface) {
+  return static_cast<std::uint32_t>(surface.sizes.empty()
+                                        ? surface.org.size() / 3
+                                        : surface.org.size() - 2 * surface.sizes.size());
+}
+
+template <class Witness>
+Traversal unbuild(const SurfaceArrays& surface, bool valences, Witness& witness) {
+  if (!surface.sizes.empty())
+    return Edgebreaker<PolygonFaces, Witness, false>(surface, witness).run();
+  return valences ? Edgebreaker<TriangleFaces, Witness, true>(surface, witness).run()
+                  : Edgebreaker<TriangleFaces, Witness, false>(surface, witness).run();
+}
+
 template <bool on_full_surface>
-Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, OperatorTrace* trace) {
+Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, bool with_twins,
+                                     OperatorTrace* trace);
+
+/// Polygons as they are, and then their triangles on a full surface.
+Expected<EncodedConnectivity> encode_polygons_on_surface(SurfaceArrays surface, int level,
+                                                         OperatorTrace* trace) {
+  auto coded = encode<false>(surface, level, true, nullptr);
+  if (!coded) return coded;
+  const std::vector<std::uint32_t> corners = triangle_corners(surface, coded->gates);
+  std::vector<HalfEdge> twins = coded->twins;
+  const auto again = encode<true>({corners, twins, surface.vertex_count}, level, true, trace);
+  if (!again) return again;
+  bool same = again->bytes == coded->bytes && again->vertices == coded->vertices &&
+              again->twins == coded->twins;
+  for (std::uint32_t i = 0; i < again->gates.size(); ++i)
+    same &= again->gates[i] == half_edge(Face(i), 0);
+  if (!same) return fail(ErrorCode::internal, "polygons and their triangles are not coded alike");
+  return coded;
+}
+
+template <bool on_full_surface>
+Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, bool with_twins,
+                                     OperatorTrace* trace) {
+  const bool polygons = !surface.sizes.empty();
+  if (on_full_surface && polygons) return encode_polygons_on_surface(surface, level, trace);
   EncodedConnectivity result;
-  const std::uint32_t faces = static_cast<std::uint32_t>(surface.twins.size() / 3);
+  const std::uint32_t faces = triangles_of(surface);
   if (faces == 0) {
     put_varint(result.bytes, 0);
     return result;
   }
+  const bool valences = on_full_surface || level >= 3;
+  Traversal traversal;
+  if (with_twins) {
+    std::vector<HalfEdge> copy;
+    SurfaceArrays arrays = surface;
+    if (on_full_surface) {
+      copy.assign(surface.twins.begin(), surface.twins.end());
+      arrays.twins = copy;
+    }
+    KeepTwins witness(surface.org.size(), 3 * std::size_t(faces));
+    traversal = unbuild(arrays, valences, witness);
+    result.twins = std::move(witness.twins);
+  }
   using Witness = std::conditional_t<on_full_surface, UnbuildingMirror, NoWitness>;
   Witness witness = make_witness<Witness>(surface);
-  const bool valences = on_full_surface || level >= 3;
-  Traversal traversal = valences ? Edgebreaker<Witness, true>(surface, witness).run()
-                                 : Edgebreaker<Witness, false>(surface, witness).run();
+  if (on_full_surface || !with_twins) traversal = unbuild(surface, valences, witness);
   if (traversal.trouble == Traversal::Trouble::several_fans)  // a surface has a vertex for each
     return fail(ErrorCode::nonmanifold_vertex, "the faces of a vertex form more than one fan");
-  if (traversal.handles && !place_handles(traversal))
+  const bool uncounted = polygons && valences;
+  if ((traversal.handles || uncounted) &&
+      !(uncounted ? place_handles_and_count_valences(traversal) : place_handles(traversal)))
     return fail(ErrorCode::internal, "handles that are not where they were");
 
   std::optional<DecodeScript> built;
@@ -230,15 +281,53 @@ constexpr bool bookkeeping = false;
 
 }  // namespace
 
-Expected<EncodedConnectivity> encode_connectivity(SurfaceArrays surface, int level) try {
-  return encode<bookkeeping>(surface, level, nullptr);
+std::vector<std::uint32_t> triangle_corners(const SurfaceArrays& surface,
+                                            std::span<const HalfEdge> gates) {
+  std::vector<std::uint32_t> corners(3 * std::size_t(triangles_of(surface)));
+  std::uint32_t* out = corners.data();
+  const auto put = [&](HalfEdge a, HalfEdge b, HalfEdge v) {
+    for (const HalfEdge h : {a, b, v}) *out++ = surface.org[h.index()];
+  };
+  if (surface.sizes.empty()) {
+    for (const HalfEdge gate : gates) put(gate, lnext(gate), lprev(gate));
+    return corners;
+  }
+  const PolygonFaces faces(surface.twins, surface.sizes);
+  for (HalfEdge a : gates) {
+    const HalfEdge b = faces.next(a);
+    for (HalfEdge v = faces.prev(a); v != b; v = faces.prev(v)) {
+      put(a, b, v);
+      a = v;
+    }
+  }
+  return corners;
+}
+
+CodedArrays coded_surface(const SurfaceArrays& surface, EncodedConnectivity& coded) {
+  CodedArrays result;
+  result.corners = triangle_corners(surface, coded.gates);
+  result.twins = std::move(coded.twins);
+  std::vector<std::uint32_t> number(surface.vertex_count);
+  for (std::uint32_t n = 0; n < coded.vertices.size(); ++n) number[coded.vertices[n]] = n;
+  result.introduced_by.resize(coded.vertices.size());
+  for (std::size_t k = result.corners.size(); k-- > 0;) {  // the first triangle is the last to say
+    std::uint32_t& corner = result.corners[k];
+    corner = number[corner];
+    result.introduced_by[corner] = static_cast<std::uint32_t>(k / 3);
+  }
+  return result;
+}
+
+Expected<EncodedConnectivity> encode_connectivity(SurfaceArrays surface, int level,
+                                                  bool with_twins) try {
+  return encode<bookkeeping>(surface, level, with_twins, nullptr);
 } catch (const std::bad_alloc&) {
   return fail(ErrorCode::out_of_memory, "not enough memory for the connectivity");
 }
 
 Expected<EncodedConnectivity> encode_connectivity_on_surface(SurfaceArrays surface, int level,
                                                              OperatorTrace& trace) try {
-  return encode<true>(surface, level, &trace);
+  return encode<true>(surface, level, false, &trace);
 } catch (const std::bad_alloc&) {
   return fail(ErrorCode::out_of_memory, "not enough memory for the connectivity");
 }

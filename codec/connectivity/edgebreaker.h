@@ -1,5 +1,10 @@
 // Edgebreaker (paper §7.2, Algorithm 2): unbuilds a surface and names every triangle C, L, E, R or
 // S.
+//
+// A polygon entered through the edge a -> b is a fan of triangles around b, from a on. The right
+// side of each but the last is a diagonal, and always the one through which the walk goes on:
+// nothing behind it is visited yet, and the right side goes first. So the triangles of a polygon
+// follow each other, and all that is left to code of polygons is how many corners each has.
 #ifndef CLERS_CODEC_CONNECTIVITY_EDGEBREAKER_H
 #define CLERS_CODEC_CONNECTIVITY_EDGEBREAKER_H
 
@@ -8,17 +13,19 @@
 #include <span>
 #include <vector>
 
+#include "codec/base/portable.h"
 #include "codec/symbols/symbol.h"
 #include "topology/unbuild.h"
 
 namespace clers::internal {
 
-/// A triangulated oriented 2-manifold as arrays by half-edge. Vertices are one fan each; surfaces
-/// that are no simplicial complexes are allowed, but no face repeats a vertex.
+/// An oriented 2-manifold as arrays by half-edge, those of a face consecutive. Vertices are one fan
+/// each; surfaces that are no simplicial complexes are allowed, but no face repeats a vertex.
 struct SurfaceArrays {
   std::span<const std::uint32_t> org;  ///< origin, below vertex_count
   std::span<HalfEdge> twins;           ///< null on a boundary
   std::uint32_t vertex_count = 0;
+  std::span<const std::uint32_t> sizes = {};  ///< of the faces; empty: all are triangles
 };
 
 /// The order in which a surface was unbuilt.
@@ -26,12 +33,11 @@ struct Traversal {
   /// An S that does not part the surface: a hole, or an end of a handle. What it is called is what
   /// it does in the decoder's order: the end of a handle that comes later here is the `split`.
   struct Special {
-    std::uint32_t index;  ///< of the S in `gates`
+    std::uint32_t index;  ///< of the S among the triangles
     HalfEdge left;        ///< the boundary edge that its left side is glued to
-    /// Not of holes: the face of `left` was the i-th, its gate at corner c; this is half_edge(i,
-    /// c).
-    HalfEdge visited;
-    SpecialS kind;  ///< of ends of handles Edgebreaker does not know which: place_handles.h
+    HalfEdge visited;     ///< not of holes: the same edge as a side of a triangle in the order of
+                          ///< the walk; side 0 is its gate
+    SpecialS kind;        ///< of ends of handles Edgebreaker does not know which: place_handles.h
     /// hole: its edges. split: edges back from the gate. join: edges back from the vertex of the
     /// split.
     std::uint32_t distance = 0;
@@ -39,7 +45,7 @@ struct Traversal {
     std::uint32_t recency = 0;  ///< join: how many curves wait that were split off later
   };
   struct Start {
-    std::uint32_t index;  ///< of the component's first triangle in `gates`
+    std::uint32_t index;  ///< of the component's first triangle
     bool closed;          ///< it was opened by ungluing the gate's edge
   };
   enum class Trouble : std::uint8_t {
@@ -47,7 +53,7 @@ struct Traversal {
     several_fans,  ///< the faces of some vertex form more than one
   };
 
-  std::vector<HalfEdge> gates;         ///< the gate of each triangle, which is a half-edge of it
+  std::vector<HalfEdge> gates;         ///< through which each face was entered: a half-edge of it
   std::vector<std::uint8_t> contexts;  ///< in the order of decoding: valence of the pivot << 3 |
                                        ///< symbol. Valences, up to max_valence, if asked for
   static constexpr std::uint32_t max_valence = 15;
@@ -72,17 +78,22 @@ struct Traversal {
 /// left to unbuild are those that it has when the decoder comes there, and the last vertex to be
 /// met is the first to be finished. As in the decoder, the two parts that an S leaves of a vertex
 /// are two vertices (of one point, paper Appendix A).
-template <class Witness, bool valences>
+///
+/// Faces are those of unbuild.h. How many triangles a polygon gives a vertex shows only when it is
+/// entered, so valences are not to be had of polygons here.
+template <class Faces, class Witness, bool valences>
 class Edgebreaker {
+  static_assert(!valences || Faces::only_triangles);
+
  public:
   Edgebreaker(SurfaceArrays surface, Witness& witness)
-      : faces_(static_cast<std::uint32_t>(surface.twins.size() / 3)),
-        points_(surface.org),
+      : points_(surface.org),
         org_(surface.org.begin(), surface.org.end()),
-        unbuilding_(surface.twins, witness),
+        unbuilding_(surface.twins, surface.sizes, witness),
+        triangles_(unbuilding_.triangles()),
         vertices_(surface.vertex_count) {
-    result_.gates.resize(faces_);
-    result_.contexts.resize(faces_ + std::size_t(1));  // the first gate has no symbol before it
+    result_.gates.resize(unbuilding_.faces());
+    result_.contexts.resize(triangles_ + std::size_t(1));  // the first gate has no symbol before it
     result_.vertices.resize(surface.vertex_count);
     if constexpr (valences)
       for (const std::uint32_t v : org_) vertices_[v] += one_triangle;
@@ -90,17 +101,18 @@ class Edgebreaker {
 
   Traversal run() {
     for (const HalfEdge start : curves_by_length())
-      if (fine() && !unbuilding_.is_destroyed(left(start))) component(start, false);
-    for (std::uint32_t f = 0; f < faces_ && count_ < faces_ && fine(); ++f) {
-      if (unbuilding_.is_destroyed(Face(f))) continue;
-      const HalfEdge gate = half_edge(Face(f), 0);
-      unbuilding_.unglue(gate);
+      if (fine() && !unbuilding_.is_destroyed(start)) component(start, false);
+    HalfEdge gate(0);
+    for (std::uint32_t f = 0; count_ < triangles_ && fine();
+         gate = HalfEdge(gate.index() + unbuilding_.size(f++))) {
+      if (unbuilding_.is_destroyed(gate)) continue;
+      unbuilding_.unglue(gate, 0);
       visit(org(gate), visited);
-      visit(org(lnext(gate)), visited);
+      visit(org(unbuilding_.next(gate)), visited);
       if (fine()) component(gate, true);
     }
-    result_.contexts.resize(faces_);
-    if (faces_ > 0) result_.contexts[0] = static_cast<std::uint8_t>(last_);
+    result_.contexts.resize(triangles_);
+    if (triangles_ > 0) result_.contexts[0] = static_cast<std::uint8_t>(last_);
     result_.vertices.resize(numbered_);
     std::sort(result_.specials.begin(), result_.specials.end(),
               [](const auto& a, const auto& b) { return a.index < b.index; });
@@ -132,8 +144,8 @@ class Edgebreaker {
 
   /// The next half-edge of a boundary curve.
   HalfEdge next_on_boundary(HalfEdge h) const {
-    h = lnext(h);
-    while (!unbuilding_.is_boundary(h)) h = lnext(unbuilding_.sym(h));
+    h = unbuilding_.next(h);
+    while (!unbuilding_.is_boundary(h)) h = unbuilding_.next(unbuilding_.sym(h));
     return h;
   }
 
@@ -173,7 +185,7 @@ class Edgebreaker {
   /// Unbuilds the component of a boundary edge.
   void component(HalfEdge gate, bool closed) {
     result_.starts.push_back({count_, closed});
-    Unbuilding<Witness>& surface = unbuilding_;
+    Unbuilding<Faces, Witness>& surface = unbuilding_;
     HalfEdge h = gate;
     do {
       h = next_on_boundary(h);
@@ -186,14 +198,18 @@ class Edgebreaker {
     VertexState* vertices = vertices_.data();
     HalfEdge* const gates = result_.gates.data();
     std::uint32_t* const numbers = result_.vertices.data();
-    std::uint8_t* const contexts_end = result_.contexts.data() + faces_;
-    std::uint32_t count = count_, numbered = numbered_;
+    std::uint8_t* const contexts_end = result_.contexts.data() + triangles_;
+    std::uint32_t count = count_, entered = entered_, numbered = numbered_;
+    bool enters = true;  // the gate is one of a face that is whole
     Clers symbol = last_;
     for (;;) {
-      const HalfEdge right_side = lnext(gate), left_side = lprev(gate);
-      const HalfEdge right = surface.sym(right_side), left_gate = surface.sym(left_side);
+      const HalfEdge right_side = surface.next(gate), left_side = surface.prev(gate);
+      if (enters) gates[Faces::only_triangles ? count : entered++] = gate;
+      enters = surface.is_triangle(gate);
+      // Beyond a diagonal is what is left of the face.
+      const HalfEdge right = enters ? surface.sym(right_side) : left_side;
+      const HalfEdge left_gate = surface.sym(left_side);
       const std::uint32_t v = org[left_side.index()];
-      gates[count] = gate;
       // The symbol before is the one that a decoder will meet at this gate.
       std::uint32_t valence = 0;
       if constexpr (valences) {
@@ -221,7 +237,7 @@ class Edgebreaker {
         if (!fine()) return;
         vertices = vertices_.data();
       }
-      surface.detach(gate, HalfEdge(3 * count + corner(gate)));
+      surface.detach(gate, count);
       ++count;
       if (symbol == Clers::E) {
         // What is left to do is put aside, unless the walk came there another way: then the S did
@@ -229,6 +245,7 @@ class Edgebreaker {
         for (;;) {
           if (aside_.empty()) {
             count_ = count;
+            entered_ = entered;
             numbered_ = numbered;
             last_ = symbol;
             number_holes(inside);
@@ -237,9 +254,9 @@ class Edgebreaker {
           const Aside part = aside_.back();
           aside_.pop_back();
           next = part.gate;
-          const Face there = left(next);
-          if (!surface.is_destroyed(there)) break;
-          result_.specials.push_back({part.index, next, surface.note(there), SpecialS::split});
+          if (!surface.is_destroyed(next)) break;
+          result_.specials.push_back(
+              {part.index, next, surface.detached_side(next), SpecialS::split});
           result_.handles = true;
         }
       }
@@ -252,19 +269,20 @@ class Edgebreaker {
   ///            left part  v  right part
   ///           . . . . .  / \  . . . . .
   ///          left_gate  /   \  right
-  [[gnu::noinline]] void part(HalfEdge gate, HalfEdge left_gate, HalfEdge right,
-                              std::uint32_t index) {
+  CLERS_NEVER_INLINE void part(HalfEdge gate, HalfEdge left_gate, HalfEdge right,
+                               std::uint32_t index) {
     const std::uint32_t v = org(right);
     // The part where the boundary shows first, looking from both sides in turn, is the smaller one.
     HalfEdge r = right, l = left_gate, next;
     std::uint32_t n = 1;
     bool right_is_smaller = true;
     for (;; ++n) {
-      next = unbuilding_.sym(lprev(r));
+      next = unbuilding_.sym(unbuilding_.prev(r));
       if (!next) break;
-      if (next == lprev(gate)) return several_fans();  // no boundary: v is on one elsewhere
+      if (next == unbuilding_.prev(gate))
+        return several_fans();  // no boundary: v has one elsewhere
       r = next;
-      next = unbuilding_.sym(lnext(l));
+      next = unbuilding_.sym(unbuilding_.next(l));
       if (!next) {
         right_is_smaller = false;
         break;
@@ -275,14 +293,14 @@ class Edgebreaker {
     const std::uint32_t triangles = valences ? n * one_triangle : 0;
     vertices_.push_back(triangles | visited);
     vertices_[v] -= triangles;
-    for (HalfEdge h = right_is_smaller ? right : lnext(left_gate); h;
-         h = right_is_smaller ? unbuilding_.sym(lprev(h)) : around_left(h))
+    for (HalfEdge h = right_is_smaller ? right : unbuilding_.next(left_gate); h;
+         h = right_is_smaller ? unbuilding_.sym(unbuilding_.prev(h)) : around_left(h))
       org_[h.index()] = w;
 
     if (vertices_[v] & on_hole) {
       vertices_[v] &= ~on_hole;
       const std::uint32_t length =
-          join_hole(right_is_smaller ? next_on_boundary(lprev(r)) : lnext(l));
+          join_hole(right_is_smaller ? next_on_boundary(unbuilding_.prev(r)) : unbuilding_.next(l));
       result_.specials.push_back({index, left_gate, HalfEdge(), SpecialS::hole, length});
     } else {
       aside_.push_back({index, left_gate});
@@ -292,7 +310,7 @@ class Edgebreaker {
   /// From a half-edge out of v to the one of the triangle before.
   HalfEdge around_left(HalfEdge h) const {
     const HalfEdge s = unbuilding_.sym(h);
-    return s ? lnext(s) : HalfEdge();
+    return s ? unbuilding_.next(s) : HalfEdge();
   }
 
   /// The hole that starts with half-edge `from` becomes part of the gate's curve. Returns its
@@ -320,15 +338,15 @@ class Edgebreaker {
     hole_vertices_.clear();
   }
 
-  std::uint32_t faces_;
   std::span<const std::uint32_t> points_;  ///< origins as they were
   std::vector<std::uint32_t> org_;
-  Unbuilding<Witness> unbuilding_;
+  Unbuilding<Faces, Witness> unbuilding_;
+  std::uint32_t triangles_;
   std::vector<VertexState> vertices_;
   std::vector<Aside> aside_;
   std::vector<std::uint32_t> hole_vertices_;  ///< of this component, in the order of their numbers
-  std::uint32_t count_ = 0, numbered_ = 0;
-  Clers last_ = Clers::E;  ///< symbol
+  std::uint32_t count_ = 0, entered_ = 0, numbered_ = 0;  ///< triangles, faces, vertices
+  Clers last_ = Clers::E;                                 ///< symbol
   Traversal result_;
 };
 

@@ -1,9 +1,11 @@
 #include "codec/connectivity/place_handles.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
+#include "codec/base/portable.h"
 #include "codec/connectivity/spirale_reversi.h"
 #include "codec/symbols/symbol.h"
 #include "topology/front.h"
@@ -11,7 +13,9 @@
 namespace clers::internal {
 namespace {
 
-/// Answers the driver's questions from a traversal, and finds out where its handles lie.
+/// Answers the driver's questions from a traversal, and finds out where its handles lie; and
+/// valences, if they are wanted.
+template <bool valences>
 class PlacingSource {
  public:
   static constexpr bool knows_vertices = true;
@@ -20,14 +24,18 @@ class PlacingSource {
       : traversal_(traversal),
         building_(building),
         curves_(building.links.data(), building.links.size()),
-        index_(static_cast<std::uint32_t>(traversal.gates.size())),
+        faces_(static_cast<std::uint32_t>(traversal.contexts.size())),
+        index_(faces_),
         next_start_(traversal.starts.size()),
         next_special_(traversal.specials.size()) {}
 
   void first() { --index_; }
   template <class Front, class Gate, class Then>
-  [[gnu::always_inline]] auto symbol(const Front&, const Gate&, std::size_t, Then then) {
-    return with_symbol(traversal_.symbol(--index_), then);
+  CLERS_ALWAYS_INLINE auto symbol(const Front&, const Gate& gate, std::size_t, Then then) {
+    std::uint8_t& context = traversal_.contexts[faces_ - index_--];
+    if constexpr (valences)
+      context = static_cast<std::uint8_t>(context | std::min(gate.kx, Traversal::max_valence) << 3);
+    return with_symbol(static_cast<Clers>(context & 7), then);
   }
 
   bool new_component(bool) {
@@ -75,8 +83,7 @@ class PlacingSource {
  private:
   /// The vertex of the construction at the end of the edge that a handle's S is glued to.
   std::uint32_t end_of_left(const Traversal::Special& s) {
-    const unsigned side = (corner(s.left) + 1 + 3 - corner(s.visited)) % 3;
-    std::uint32_t v = building_.corners[half_edge(left(s.visited), side).index()];
+    std::uint32_t v = building_.corners[lnext(s.visited).index()];
     // What vertices merged into may have merged too. Paths are halved, so that none stays long.
     while (building_.links[v].valence == merged_away) {
       std::uint32_t& into = building_.links[v].prev;
@@ -90,14 +97,14 @@ class PlacingSource {
   const Building& building_;
   CurveIndex curves_;
   WaitingCurves waiting_;
+  std::uint32_t faces_;
   std::uint32_t index_;  ///< in the traversal, of the current symbol
   std::size_t next_start_, next_special_;
 };
 
-}  // namespace
-
-bool place_handles(Traversal& traversal) {
-  const std::uint32_t faces = static_cast<std::uint32_t>(traversal.gates.size());
+template <bool valences>
+bool build_again(Traversal& traversal) {
+  const std::uint32_t faces = static_cast<std::uint32_t>(traversal.contexts.size());
   std::size_t ids = 0;
   for (const std::uint8_t c : traversal.contexts) {
     const Clers symbol = static_cast<Clers>(c & 7);
@@ -110,9 +117,20 @@ bool place_handles(Traversal& traversal) {
   building.corners = {corners.get(), 3 * std::size_t(faces)};
   building.links = {links.get(), ids};
   NoPairing none;
-  PlacingSource source(traversal, building);
-  return SpiraleReversi<NoPairing, PlacingSource>(building, none, source).run().broken ==
+  using Source = PlacingSource<valences>;
+  Source source(traversal, building);
+  return SpiraleReversi<NoPairing, Source>(building, none, source).run().broken ==
          StreamFault::none;
+}
+
+}  // namespace
+
+bool place_handles(Traversal& traversal) {
+  return build_again<false>(traversal);
+}
+
+bool place_handles_and_count_valences(Traversal& traversal) {
+  return build_again<true>(traversal);
 }
 
 }  // namespace clers::internal

@@ -37,7 +37,7 @@ class EncodeTo {
  public:
   static constexpr bool encodes = true;
   explicit EncodeTo(rans::Encoder& out) : out_(&out) {}
-  bool bit(BitModel& model, bool value) {
+  [[gnu::always_inline]] bool bit(BitModel& model, bool value) {
     decide(model.share(), value);
     model.update(value);
     return value;

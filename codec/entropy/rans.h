@@ -11,12 +11,17 @@
 #include <span>
 #include <vector>
 
+#include "codec/base/portable.h"
+
 namespace clers::internal::rans {
 
 inline constexpr unsigned scale_bits = 15;
 inline constexpr std::uint32_t scale = 1u << scale_bits;
 inline constexpr std::uint32_t low = 1u << 16;  ///< below it the state takes in a word, if any
 inline constexpr std::uint32_t first_state = 1u << 8;  ///< of the encoder, and the decoder's last
+
+/// The size of what a decision is given at most (coder.h); to divide by a constant is faster.
+inline constexpr std::uint32_t most_certain = scale - 32;
 
 /// The share [start, start + size) of `scale` that stands for what is coded. 0 < size < scale.
 struct Interval {
@@ -56,7 +61,9 @@ class Encoder {
         state >>= 16;
       }
       // quotient * scale + remainder + start, with the least to do after the division
-      state = state + s.start + state / s.size * (scale - s.size);
+      const std::uint32_t quotient =
+          s.size == most_certain ? state / most_certain : state / s.size;
+      state = state + s.start + quotient * (scale - s.size);
     }
     out.reserve(out.size() + 4 + 2 * words.size());
     for (; state != 0; state >>= 8) out.push_back(static_cast<std::byte>(state));
@@ -87,7 +94,7 @@ class Decoder {
   std::uint32_t slot() const { return state_ & (scale - 1); }
 
   /// Goes past the interval that slot() is in.
-  [[gnu::always_inline]] void advance(std::uint32_t start, std::uint32_t size) {
+  CLERS_ALWAYS_INLINE void advance(std::uint32_t start, std::uint32_t size) {
     state_ = size * (state_ >> scale_bits) + slot() - start;
     if (state_ < low && next_ != end_) state_ = state_ << 16 | word();
   }

@@ -35,17 +35,22 @@ class MeshEncoder {
   Expected<Done> run(unsigned threads, const Progress& progress) {
     auto coded =
         encode_surface(regular_.corners(), regular_.sizes(), mesh_.vertex_count, options_.level,
-                       !mesh_.attributes.empty() || !regular_.degenerate().empty(),
+                       mesh_.attributes.empty() && regular_.degenerate().empty() ? Wanted::nothing
+                                                                                 : Wanted::surface,
                        [&] { return raw_bytes() < 3 * mesh_.face_count() / 2; });
     if (!coded) return Failure{coded.error()};
     Bytes payload, kept_order;
+    std::vector<std::uint32_t> triangles;  // of the surface, by new vertices of the mesh
     std::optional<Bytes> raw;
     const bool keep = options_.order == Order::keep;
     if (coded->given_up) {
       raw = raw_payload(all_.count());
     } else {
       number(*coded);
-      encode_degenerate_faces(coded->triangles, order());
+      triangles = std::move(coded->surface.corners);
+      if (const auto& vertex_of = coded->surface.vertex_of; !vertex_of.empty())
+        for (std::uint32_t& v : triangles) v = vertex_of[v];
+      encode_degenerate_faces(triangles, order());
       payload = surface_payload(*coded);
       if (keep) {
         progress("order", 0.3);
@@ -54,7 +59,6 @@ class MeshEncoder {
       if (keep || !coded->copies.empty()) raw = raw_if_smaller(payload.size() + kept_order.size());
     }
     describe(*coded);
-    std::vector<std::uint32_t> triangles = std::move(coded->triangles);
     if (raw) {
       payload = std::move(*raw);
       kept_order.clear();

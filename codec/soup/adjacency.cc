@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "codec/base/portable.h"
 #include "codec/base/no_index.h"
 
 namespace clers::internal {
@@ -90,9 +91,9 @@ class StreamingMatcher {
       if constexpr (prefetch) {
         if (h + ahead < n) {
           const std::uint32_t *const o = &org[h + ahead], low = std::min(o[0], o[1]);
-          __builtin_prefetch(&slots[std::size_t(places) * low], 1);
-          __builtin_prefetch(&slots[std::size_t(places) * std::min(std::max(o[0], o[1]), o[2])], 1);
-          __builtin_prefetch(&slots[std::size_t(places) * std::min(low, o[2])], 1);
+          fetch_for_writing(&slots[std::size_t(places) * low]);
+          fetch_for_writing(&slots[std::size_t(places) * std::min(std::max(o[0], o[1]), o[2])]);
+          fetch_for_writing(&slots[std::size_t(places) * std::min(low, o[2])]);
         }
       }
       const std::uint32_t a = org[h], b = org[h + 1], c = org[h + 2];
@@ -113,8 +114,8 @@ class StreamingMatcher {
   }
 
   /// Half-edge h from a to b. The first of an edge waits for the second.
-  [[gnu::always_inline]] void match(Slot* slots, HalfEdge* twins, std::uint32_t h, std::uint32_t a,
-                                    std::uint32_t b) {
+  CLERS_ALWAYS_INLINE void match(Slot* slots, HalfEdge* twins, std::uint32_t h, std::uint32_t a,
+                                 std::uint32_t b) {
     const bool up = a < b;
     const std::uint32_t low = up ? a : b, high = up ? b : a;
     const Key key = 2 * high + up;
@@ -130,7 +131,7 @@ class StreamingMatcher {
   }
 
   /// Where the edge is, or goes, whose first place is taken; null if h is put off.
-  [[gnu::noinline]] Slot* find(std::uint32_t low, Key key, std::uint32_t h) {
+  CLERS_NEVER_INLINE Slot* find(std::uint32_t low, Key key, std::uint32_t h) {
     std::uint32_t at = place(key);
     for (unsigned left = places; left > 0; --left, at = (at + 1) % places) {
       Slot& slot = cells_[low].slots[at];

@@ -221,25 +221,28 @@ inline std::uint32_t stitch(std::span<std::uint32_t> triangles, std::span<std::u
 }
 
 /// `vertices[v]`: which vertex of the input, of `inputs`, vertex v of the surface is, or is a copy
-/// of; then that of each mesh vertex. `triangles` of surface vertices become those of the mesh.
-inline EncodedStream encode_copies(std::uint32_t inputs, std::vector<std::uint32_t>& vertices,
-                                   std::span<std::uint32_t> triangles) {
+/// of; then that of each mesh vertex. `vertex_of` becomes the mesh vertex of each of the surface,
+/// whose triangles are `triangles`.
+inline EncodedStream encode_copies(std::uint32_t inputs, std::span<const std::uint32_t> triangles,
+                                   std::vector<std::uint32_t>& vertices,
+                                   std::vector<std::uint32_t>& vertex_of) {
   const std::uint32_t count = static_cast<std::uint32_t>(vertices.size());
   std::uint32_t copies = 0;
-  std::vector<std::uint32_t> classes(count), first(inputs, no_index);
+  std::vector<std::uint32_t> first(inputs, no_index);
+  vertex_of.resize(count);
   for (std::uint32_t v = 0; v < count; ++v) {
     std::uint32_t& c = first[vertices[v]];
     if (c > v)
       c = v;
     else
       ++copies;
-    classes[v] = c;
+    vertex_of[v] = c;
   }
   EncodedStream out{{copies}, encode_stream([&](EncodeTo& coder) {
-                      Stitching(triangles, count, copies).code(coder, classes);
+                      Stitching(triangles, count, copies).code(coder, vertex_of);
                     })};
-  const std::uint32_t points = stitch(triangles, classes);
-  for (std::uint32_t v = 0; v < count; ++v) vertices[classes[v]] = vertices[v];
+  const std::uint32_t points = stitch({}, vertex_of);
+  for (std::uint32_t v = 0; v < count; ++v) vertices[vertex_of[v]] = vertices[v];
   vertices.resize(points);
   return out;
 }

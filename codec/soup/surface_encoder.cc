@@ -8,7 +8,6 @@
 #include "codec/soup/cut.h"
 #include "codec/soup/distinct_faces.h"
 #include "codec/soup/polygon_sizes.h"
-#include "codec/soup/polygons.h"
 #include "codec/soup/repeated_faces.h"
 #include "codec/soup/reversed_faces.h"
 #include "codec/soup/stitching.h"
@@ -19,21 +18,17 @@ namespace {
 /// A surface by its faces, as it is or as it was cut.
 struct SurfaceFaces {
   const Faces& faces;
+  std::span<const std::uint32_t> sizes;  ///< empty: triangles
   std::span<HalfEdge> twins;
   std::uint32_t vertex_count;
   const CutSurface* cut = nullptr;
 };
 
-Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, bool with_triangles) {
+Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, Wanted wanted) {
   EncodedSurface out;
   const Faces& faces = surface.faces;
-  Triangulation fans;
-  SurfaceArrays arrays{faces.org, surface.twins, surface.vertex_count};
-  if (!faces.triangles()) {
-    fans = triangulate(faces, surface.twins, surface.vertex_count);
-    arrays = {fans.corners, fans.twins, surface.vertex_count};
-  }
-  auto coded = encode_connectivity(arrays, level);
+  const SurfaceArrays arrays{faces.org, surface.twins, surface.vertex_count, surface.sizes};
+  auto coded = encode_connectivity(arrays, level, wanted == Wanted::surface_with_twins);
   if (!coded) return Failure{coded.error()};
 
   std::vector<std::uint32_t>& order = out.order.faces;
@@ -46,12 +41,10 @@ Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, bo
       first_corners[i] = corner(coded->gates[i]);
     }
   } else {
-    for (std::uint32_t t = 0; t < coded->gates.size(); ++t)
-      if (coded->gates[t] != half_edge(Face(t), 0))
-        return fail(ErrorCode::internal, "the walk over polygons is not that over their triangles");
     for (std::uint32_t i = 0; i < order.size(); ++i) {
-      order[i] = faces.face(fans.gates[i]);
-      first_corners[i] = fans.gates[i] - faces.begin(order[i]);
+      const std::uint32_t gate = coded->gates[i].index();
+      order[i] = faces.face(gate);
+      first_corners[i] = gate - faces.begin(order[i]);
     }
   }
   if (surface.cut && !surface.cut->reversed.empty()) {
@@ -66,21 +59,15 @@ Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, bo
   }
 
   const bool copies = surface.cut && !surface.cut->copied.empty();
-  if (with_triangles || copies) {
-    std::vector<std::uint32_t> number(surface.vertex_count);
-    for (std::uint32_t i = 0; i < coded->vertices.size(); ++i) number[coded->vertices[i]] = i;
-    out.triangles.reserve(arrays.org.size());
-    for (HalfEdge h : coded->gates)
-      for (unsigned side = 0; side < 3; ++side, h = lnext(h))
-        out.triangles.push_back(number[arrays.org[h.index()]]);
-  }
+  if (wanted != Wanted::nothing || copies) out.surface = coded_surface(arrays, *coded);
   out.order.vertices = std::move(coded->vertices);
   if (copies) {
     const std::vector<std::uint32_t>& copied = surface.cut->copied;
     const auto inputs = surface.vertex_count - static_cast<std::uint32_t>(copied.size());
     for (std::uint32_t& v : out.order.vertices)
       if (v >= inputs) v = copied[v - inputs];
-    out.copies = encode_copies(inputs, out.order.vertices, out.triangles);
+    out.copies =
+        encode_copies(inputs, out.surface.corners, out.order.vertices, out.surface.vertex_of);
     out.copied_vertices = copied.size();
   }
   out.connectivity = std::move(coded->bytes);
@@ -92,17 +79,17 @@ Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, bo
 /// unbuilt, and costs nothing till then; if it shows, or is likely to, all vertices are looked at.
 Expected<EncodedSurface> encode_distinct(const Faces& faces, std::span<const std::uint32_t> sizes,
                                          Adjacency adjacency, std::uint32_t vertex_count, int level,
-                                         bool with_triangles) {
+                                         Wanted wanted) {
   const auto encode_cut = [&](Adjacency edges, Fans fans) {
     CutSurface surface = cut(faces, vertex_count, std::move(edges), fans);
     return encode_faces(
-        {Faces(surface.corners, sizes), surface.twins,
+        {Faces(surface.corners, sizes), sizes, surface.twins,
          vertex_count + static_cast<std::uint32_t>(surface.copied.size()), &surface},
-        level, with_triangles);
+        level, wanted);
   };
   const bool likely = adjacency.sides.size() > faces.count() / 64;
   auto coded = adjacency.edges() == 0
-                   ? encode_faces({faces, adjacency.twins, vertex_count}, level, with_triangles)
+                   ? encode_faces({faces, sizes, adjacency.twins, vertex_count}, level, wanted)
                    : encode_cut(std::move(adjacency), likely ? Fans::all : Fans::at_defects);
   if (coded || coded.error().code != ErrorCode::nonmanifold_vertex) return coded;
   return encode_cut(match_edges(faces, vertex_count), Fans::all);
@@ -112,7 +99,7 @@ Expected<EncodedSurface> encode_distinct(const Faces& faces, std::span<const std
 
 Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
                                         std::span<const std::uint32_t> sizes,
-                                        std::uint32_t vertex_count, int level, bool with_triangles,
+                                        std::uint32_t vertex_count, int level, Wanted wanted,
                                         const std::function<bool()>& give_up) {
   const Faces all(corners, sizes);
   Adjacency adjacency = match_edges(all, vertex_count);
@@ -127,14 +114,14 @@ Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
   nothing.given_up = true;
   if (repeats.empty()) {
     if (shall_give_up(adjacency)) return nothing;
-    return encode_distinct(all, sizes, std::move(adjacency), vertex_count, level, with_triangles);
+    return encode_distinct(all, sizes, std::move(adjacency), vertex_count, level, wanted);
   }
   const DistinctFaces distinct(all, repeats);
   const Faces faces(distinct.corners, distinct.sizes);
   adjacency = distinct.adjacency(all, std::move(adjacency));
   if (shall_give_up(adjacency)) return nothing;
-  auto coded = encode_distinct(faces, distinct.sizes, std::move(adjacency), vertex_count, level,
-                               with_triangles);
+  auto coded =
+      encode_distinct(faces, distinct.sizes, std::move(adjacency), vertex_count, level, wanted);
   if (!coded) return coded;
   for (std::uint32_t& f : coded->order.faces) f = distinct.faces[f];
   coded->repeats = encode_repeats(all, repeats, coded->reversed_runs, coded->order);

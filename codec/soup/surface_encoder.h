@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "codec/base/faces.h"
+#include "codec/connectivity/coded_surface.h"
 #include "codec/connectivity/connectivity.h"
 #include "codec/entropy/stream.h"
 #include "codec/error.h"
@@ -24,11 +25,13 @@ struct EncodedSurface {
   ConnectivityCounts counts;
   std::vector<ReversedRun> reversed_runs;
   std::uint64_t copied_vertices = 0, repeated_faces = 0;
-  bool given_up = false;                 ///< nothing else holds
-  Permutation order;                     ///< vertices: only those that the surface has
-  std::vector<std::uint32_t> triangles;  ///< of the surface, by new vertices of the mesh, all
-                                         ///< running one way; left out if nobody wants them
+  bool given_up = false;  ///< nothing else holds
+  Permutation order;      ///< vertices: only those that the surface has
+  CodedArrays surface;    ///< as far as it is wanted
 };
+
+/// What is wanted of a surface besides its bytes.
+enum class Wanted : std::uint8_t { nothing, surface, surface_with_twins };
 
 /// Encodes faces: those that repeat others as references, and the rest cut where it is no oriented
 /// manifold. Cuts, and which face another one repeats, depend on the order of the faces. Asks
@@ -39,7 +42,7 @@ struct EncodedSurface {
 /// handle, and sorts of the faces at edges that are not manifold.
 Expected<EncodedSurface> encode_surface(std::span<const std::uint32_t> corners,
                                         std::span<const std::uint32_t> sizes,
-                                        std::uint32_t vertex_count, int level, bool with_triangles,
+                                        std::uint32_t vertex_count, int level, Wanted wanted,
                                         const std::function<bool()>& give_up);
 
 }  // namespace clers::internal
