@@ -11,14 +11,14 @@
 namespace clers {
 
 /// Compares without any knowledge of the codec: refines classes of vertices by their values and
-/// their neighbourhoods until a renumbering is forced, then checks it. Positions may coincide.
-/// Attributes are matched by name and domain; their order does not matter, mesh names and metadata
-/// do not either. Errors: inconsistent_mesh, too_large (2^32 - 1 corners or more), out_of_memory.
+/// neighbourhoods until a renumbering is forced, then checks it. Positions may coincide. Attributes
+/// are matched by name and domain; neither their order nor names and metadata of the meshes matter.
+/// Errors: inconsistent_mesh, too_large (2^32 - 1 corners or more), out_of_memory. Thread safe.
 ///
-/// Cost: n log n in vertices, corners and values, whether or not vertices have values of their own:
-/// duplicates, books, hubs, copies of a component too. Where vertices look alike from everywhere
-/// and are not (a regular torus, cut and sewn another way), a search takes some seconds more before
-/// it gives up.
+/// Cost: n log n in vertices, corners and values, also for duplicate faces, many faces at one edge
+/// or vertex, and equal components. Where vertices cannot be told from each other by all that
+/// surrounds them, but are different (a regular torus, cut and sewn another way), a search takes
+/// some seconds more before it gives up.
 Expected<Comparison> compare(const Mesh& a, const Mesh& b);
 
 /// The first difference of their metadata, for people ("metadata 'comment': only the first has

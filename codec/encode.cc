@@ -8,6 +8,7 @@
 
 #include "codec/base/guarded.h"
 #include "codec/base/parallel.h"
+#include "codec/base/wide_corners.h"
 #include "codec/file/container.h"
 #include "codec/file/mesh_encoder.h"
 #include "codec/file/metadata.h"
@@ -25,16 +26,16 @@ Failure<Error> in_mesh(Error error, std::size_t mesh, std::size_t meshes) {
 }
 
 /// Faces of a piece; 0 where the mesh stays whole.
-std::uint32_t piece_faces(const Mesh& mesh, const EncodeOptions& options) {
+std::uint32_t piece_faces(const MeshView& mesh, const EncodeOptions& options) {
   const std::size_t faces = mesh.face_count();
-  if (options.piece_faces == 0) {
+  if (!options.piece_faces) {
     // Without positions it takes longer to part a mesh than to code it.
     if (faces <= most_faces_whole || !mesh.position()) return 0;
     // An even number of pieces: two threads have the same to do.
     const std::size_t pairs = (faces + 2 * default_piece_faces - 1) / (2 * default_piece_faces);
     return static_cast<std::uint32_t>((faces + 2 * pairs - 1) / (2 * pairs));
   }
-  return faces > options.piece_faces ? options.piece_faces : 0;
+  return faces > *options.piece_faces ? *options.piece_faces : 0;
 }
 
 /// A mesh on its way: whole, or parted into pieces.
@@ -43,7 +44,7 @@ struct Work {
   std::vector<Expected<EncodedMesh>> coded;  ///< a mesh, or pieces
 };
 
-Work prepare(const Mesh& mesh, const EncodeOptions& options, unsigned threads) {
+Work prepare(const MeshView& mesh, const EncodeOptions& options, unsigned threads) {
   Work work;
   if (const std::uint32_t most = piece_faces(mesh, options); most > 0) {
     Partition parts = partition(mesh, most, threads);
@@ -55,21 +56,36 @@ Work prepare(const Mesh& mesh, const EncodeOptions& options, unsigned threads) {
 }
 
 /// All of a mesh, once its pieces are coded.
-EncodedMesh finish(Work work, const Mesh& mesh, const EncodeOptions& options) {
+EncodedMesh finish(Work work, const MeshView& mesh, const EncodeOptions& options) {
   if (!work.cutter) return std::move(*work.coded[0]);
   std::vector<EncodedMesh> pieces;
   for (auto& piece : work.coded) pieces.push_back(std::move(*piece));
   return join_pieces(std::move(pieces), mesh, options.order);
 }
 
-Expected<Encoded> encode_meshes(std::span<const Mesh> meshes, const EncodeOptions& options) {
+Expected<Done> check_options(const EncodeOptions& options) {
   if (options.level < min_level || options.level > max_level)
     return fail(ErrorCode::bad_option,
                 "level " + std::to_string(options.level) + ", expected 1 to 9");
+  if (options.piece_faces == 0)
+    return fail(ErrorCode::bad_option, "pieces of 0 faces, expected at least 1");
   if (options.order > Order::keep) return fail(ErrorCode::bad_option, "no such order");
-  for (const OnOddity on : {options.on_nonmanifold, options.on_degenerate, options.on_duplicate})
-    if (on > OnOddity::error)
-      return fail(ErrorCode::bad_option, "faces are neither to be kept nor to be an error");
+  for (const DefectPolicy on :
+       {options.on_nonmanifold, options.on_degenerate, options.on_duplicate})
+    if (on > DefectPolicy::reject) return fail(ErrorCode::bad_option, "no such policy for defects");
+  return Done{};
+}
+
+Expected<Encoded> encode_meshes(std::span<const MeshView> given, const EncodeOptions& options) {
+  if (auto ok = check_options(options); !ok) return Failure{ok.error()};
+  std::vector<MeshView> meshes;
+  std::vector<std::vector<std::uint32_t>> wide(given.size());
+  meshes.reserve(given.size());
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const auto mesh = with_wide_corners(given[i], wide[i]);
+    if (!mesh) return in_mesh(mesh.error(), i, given.size());
+    meshes.push_back(*mesh);
+  }
   for (std::size_t i = 0; i < meshes.size(); ++i)
     if (auto ok = check(meshes[i], options); !ok) return in_mesh(ok.error(), i, meshes.size());
 
@@ -122,6 +138,7 @@ Expected<Encoded> encode_meshes(std::span<const Mesh> meshes, const EncodeOption
     }
     result.permutations.push_back(std::move(coded.order));
     result.report.push_back(std::move(coded.info));
+    result.counts.push_back(coded.counts);
   }
   result.bytes = out.finish(meshes.size());
   if (options.progress) options.progress("done", 1.0);
@@ -130,8 +147,19 @@ Expected<Encoded> encode_meshes(std::span<const Mesh> meshes, const EncodeOption
 
 }  // namespace
 
-Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& options) {
+Expected<Encoded> encode(const MeshView& mesh, const EncodeOptions& options) {
+  return encode({&mesh, 1}, options);
+}
+
+Expected<Encoded> encode(std::span<const MeshView> meshes, const EncodeOptions& options) {
   return guarded("encode", [&] { return encode_meshes(meshes, options); });
+}
+
+Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& options) {
+  return guarded("encode", [&] {
+    const std::vector<MeshView> views(meshes.begin(), meshes.end());
+    return encode_meshes(views, options);
+  });
 }
 
 }  // namespace clers

@@ -9,33 +9,48 @@
 #include "codec/error.h"
 #include "codec/info.h"
 #include "codec/mesh.h"
+#include "codec/mesh_view.h"
 #include "codec/options.h"
 #include "codec/order.h"
 
 namespace clers {
 
+/// Of each mesh, in their order: how it was renumbered, and what it costs.
 struct Encoded {
   std::vector<std::byte> bytes;
-  std::vector<Permutation> permutations;  ///< one for each mesh
-  std::vector<MeshInfo> report;           ///< one for each mesh: what it costs, and what coding it
-                                          ///< showed. Of the shape that is vertices, faces,
-                                          ///< triangles and isolated vertices, and of a mesh in one
-                                          ///< piece components, boundary curves and genus of the
-                                          ///< surface that was coded. measure() tells all
+  std::vector<Permutation> permutations;
+  std::vector<MeshInfo> report;      ///< as Decoder::info of the bytes, but for metadata
+  std::vector<CodingCounts> counts;  ///< as inspect of the bytes
 };
 
-/// Encodes meshes into one .clers file.
-/// Same input and options give the same bytes, whatever the compiler, build or machine.
-/// Any faces are taken and come back: of any number of corners, on any vertices. A manifold mesh
-/// that comes back is encoded to the same bytes again, if it is whole, or if positions differ and
-/// the pieces are manifold too; other meshes to others perhaps, since cuts depend on the order of
-/// faces.
-/// Errors: inconsistent_mesh, too_large, out_of_memory; and where options say so
+/// Encodes a mesh into a .clers file. A Mesh converts to a view: encode(mesh).
+///
+/// Takes any faces: polygons of any size, non-manifold, degenerate and duplicate ones. All of them
+/// come back.
+///
+/// The same input and options give the same bytes on any compiler and machine, with any number of
+/// threads, by one version of this library and, where there are attributes or metadata, of zstd.
+/// Other versions may give other bytes. A library decodes one version of the format
+/// (codec/format.md), its own, and refuses others with unsupported_version: before 1.0 any release
+/// may have a new one.
+///
+/// A manifold mesh as it was decoded encodes to the same bytes again, if it is in one piece, or if
+/// no two positions coincide and its pieces are manifold too. Other meshes may not: where they are
+/// cut depends on the order of faces.
+///
+/// Errors: inconsistent_mesh, too_large, bad_option, out_of_memory; and where options reject them,
 /// degenerate_face, duplicate_face, nonmanifold_edge, nonorientable, nonmanifold_vertex, each with
-/// the first offending element.
-/// Thread safe: calls share nothing.
-/// Cost: linear in the faces; O(log n) for each handle; and sorts of the faces at edges that are
-/// not manifold, of degenerate faces, and of the patches that pieces are made of.
+/// the first such element. Throws nothing but what `progress` throws (std::bad_alloc becomes
+/// out_of_memory). Thread safe: calls share nothing, and only read the mesh.
+///
+/// Cost: linear in the faces, O(log n) a handle, and sorts of non-manifold edges, of degenerate
+/// faces and of the patches that pieces are made of. Of the arrays of the mesh, 16-bit corners are
+/// copied (4 bytes each), and the values of one attribute a thread; a mesh in pieces is copied
+/// piece by piece.
+Expected<Encoded> encode(const MeshView& mesh, const EncodeOptions& options = {});
+
+/// Encodes several meshes into one file. Errors say which mesh.
+Expected<Encoded> encode(std::span<const MeshView> meshes, const EncodeOptions& options = {});
 Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& options = {});
 
 }  // namespace clers

@@ -19,10 +19,11 @@ enum class ErrorCode : std::uint16_t {
   nonmanifold_vertex = 5,  ///< a vertex whose faces form more than one fan
   nonorientable = 6,       ///< a component that has no consistent orientation
   too_large = 7,           ///< more elements than ids
-  bad_option = 8,          ///< an option out of its range
+  bad_option = 8,          ///< an option out of its range, memory of another size than needed, or
+                           ///< an index of what is not there
   // The bytes cannot be decoded.
   not_clers = 20,            ///< the magic number is missing
-  unsupported_version = 21,  ///< made by a later format
+  unsupported_version = 21,  ///< made by another version of the format
   truncated = 22,            ///< the bytes end too early
   trailing_bytes = 23,       ///< bytes after the end
   corrupt = 24,              ///< a checksum does not match
@@ -33,7 +34,7 @@ enum class ErrorCode : std::uint16_t {
   // Files.
   io_failed = 60,    ///< the system refused to read or write
   malformed = 61,    ///< a mesh file breaks the rules of its format
-  unsupported = 62,  ///< a mesh file uses a feature that is not read
+  unsupported = 62,  ///< a feature of a mesh, or of a mesh file, that is not supported here
   internal = 99,     ///< a fault of this library
 };
 

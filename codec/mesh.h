@@ -9,8 +9,18 @@
 
 namespace clers {
 
+struct AttributeView;  // codec/mesh_view.h
+struct MeshView;
+
 /// What an attribute has one value for.
 enum class Domain : std::uint8_t { vertex = 0, corner = 1, face = 2 };
+inline constexpr unsigned domain_count = 3;
+
+/// As in the enumeration. Precondition, for both: the value is one of it.
+constexpr const char* name(Domain d) {
+  constexpr const char* names[domain_count] = {"vertex", "corner", "face"};
+  return names[static_cast<unsigned>(d)];
+}
 
 /// How one component of a value is stored. The numbers are the file format's.
 enum class Scalar : std::uint8_t {
@@ -27,6 +37,12 @@ enum class Scalar : std::uint8_t {
 };
 inline constexpr unsigned scalar_count = 10;
 
+constexpr const char* name(Scalar s) {
+  constexpr const char* names[scalar_count] = {"int8",   "uint8", "int16",  "uint16",  "int32",
+                                               "uint32", "int64", "uint64", "float32", "float64"};
+  return names[static_cast<unsigned>(s)];
+}
+
 /// Size in bytes of a scalar.
 constexpr std::size_t size_of(Scalar s) {
   constexpr std::uint8_t bytes[scalar_count] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
@@ -34,7 +50,8 @@ constexpr std::size_t size_of(Scalar s) {
 }
 
 /// Named values, one tuple of `components` scalars for each vertex, corner or face, in their order,
-/// packed, in native byte order. The vertex attribute named "position" is where the mesh lies.
+/// packed, in native byte order. The vertex attribute named "position" holds the places of
+/// vertices.
 struct Attribute {
   std::string name;  ///< UTF-8, at most 255 bytes
   Domain domain = Domain::vertex;
@@ -43,10 +60,11 @@ struct Attribute {
   std::vector<std::byte> data;  ///< count * stride() bytes
 
   std::size_t stride() const { return size_of(scalar) * components; }
+  operator AttributeView() const;
 };
 
-/// What a mesh's file said besides the mesh: where it came from, comments, names. The library
-/// carries it and looks at nothing; codec/io says what it writes there.
+/// What the file of a mesh says besides the mesh: its source, comments, names. The library carries
+/// it without a look at it; codec/io documents what it writes here.
 struct MetadataEntry {
   std::string key;    ///< UTF-8, 1 to 255 bytes, no other entry's
   std::string value;  ///< any bytes
@@ -84,6 +102,7 @@ struct Mesh {
       if (a.domain == Domain::vertex && a.name == position_name) return &a;
     return nullptr;
   }
+  operator MeshView() const;
 };
 
 }  // namespace clers

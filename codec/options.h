@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string_view>
 
 #include "codec/limits.h"
@@ -13,43 +14,46 @@ namespace clers {
 
 inline constexpr int min_level = 1, max_level = 9, default_level = 5;
 
-/// For EncodeOptions::piece_faces.
-inline constexpr std::uint32_t most_faces_whole = 1u << 20, default_piece_faces = 1u << 18,
-                               never_in_pieces = 0xffffffffu;
-
-/// What to do with faces that most programs do not expect.
-enum class OnOddity : std::uint8_t {
-  keep,   ///< they come back as they were
-  error,  ///< encoding fails and names the first
+/// What to do with faces that many programs do not expect.
+enum class DefectPolicy : std::uint8_t {
+  keep,    ///< encode them: they come back as they are
+  reject,  ///< fail, and name the first
 };
+
+/// For EncodeOptions::piece_faces: more than any mesh has.
+inline constexpr std::uint32_t never_in_pieces = 0xffffffffu;
+/// What is done if piece_faces is not set: meshes with positions and more faces than the first
+/// number are coded in pieces of at most about the second.
+inline constexpr std::uint32_t most_faces_whole = 1u << 20, default_piece_faces = 1u << 18;
 
 struct EncodeOptions {
   int level = default_level;  ///< 1 fastest .. 9 smallest
 
-  /// A mesh of more faces is coded in pieces of about so many, which decode alone: in less memory,
-  /// and by several threads. 0: in pieces of at most about default_piece_faces, if it has positions
-  /// and more than most_faces_whole faces.
-  std::uint32_t piece_faces = 0;
-  unsigned threads = 1;  ///< over meshes and pieces, or the attributes of a single one; 0: one a
-                         ///< core. They make no difference to the bytes
+  /// A mesh of more faces than this, at least 1, is coded in pieces of about this many, each of
+  /// which decodes alone: in less memory, and several at a time. Not set: most_faces_whole.
+  std::optional<std::uint32_t> piece_faces = {};
+
+  /// Work on meshes and pieces, or on the attributes of a mesh that is alone. 0: one a core. The
+  /// bytes do not depend on it.
+  unsigned threads = 1;
 
   Order order = Order::free;
-  OnOddity on_nonmanifold = OnOddity::keep;  ///< edges of more than two faces or of two that run
-                                             ///< the same way, vertices of several fans
-  OnOddity on_degenerate = OnOddity::keep;   ///< faces that repeat a vertex, or have under three
-  OnOddity on_duplicate = OnOddity::keep;    ///< faces on the same vertices as an earlier one
+  DefectPolicy on_nonmanifold = DefectPolicy::keep;  ///< an edge of more than two faces, or of two
+                                                     ///< that run along it the same way; a vertex
+                                                     ///< whose faces form more than one fan
+  DefectPolicy on_degenerate = DefectPolicy::keep;   ///< a face that repeats a vertex, or has fewer
+                                                     ///< than three
+  DefectPolicy on_duplicate = DefectPolicy::keep;    ///< a face on the same vertices as another
 
-  /// Called now and then with the name of the stage and the share of the whole work that is done,
-  /// 0..1, never decreasing; from the calling thread. May be empty. What it throws ends the work
-  /// and passes through.
-  std::function<void(std::string_view stage, double done)> progress;
+  /// If not empty, called from the calling thread with the name of the stage and the share of the
+  /// work that is done, 0 to 1, never decreasing. What it throws ends the work and passes through.
+  std::function<void(std::string_view stage, double done)> progress = {};
 };
 
 struct DecodeOptions {
-  Limits limits;
-  std::function<void(std::string_view stage, double done)> progress;  ///< as in EncodeOptions
-  unsigned threads = 1;  ///< over meshes and pieces, or the attributes of a single one; 0: one a
-                         ///< core. They make no difference to the result, errors included
+  Limits limits = {};
+  std::function<void(std::string_view stage, double done)> progress = {};  ///< as in EncodeOptions
+  unsigned threads = 1;  ///< as in EncodeOptions; neither results nor errors depend on it
 };
 
 }  // namespace clers

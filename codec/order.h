@@ -1,4 +1,4 @@
-// What becomes of the order of vertices and faces.
+// The order of vertices and faces.
 #ifndef CLERS_CODEC_ORDER_H
 #define CLERS_CODEC_ORDER_H
 
@@ -7,19 +7,19 @@
 
 namespace clers {
 
-/// What becomes of the order of vertices and faces, and of the corner that a face begins with.
+/// The order in which vertices and faces come back, and the corner that each face begins with.
 enum class Order : std::uint8_t {
-  free,  ///< the codec's: Encoded::permutations
-  keep,  ///< stored: index buffers come back identical
+  free,  ///< the codec's, which costs nothing: Encoded::permutations says what became of them
+  keep,  ///< that of the input, which is stored: index buffers come back identical
 };
 
-/// What the codec renumbered. Decoding gives the mesh in the new order. With Order::keep all
-/// are 0, 1, 2 .. and first corners 0.
+/// Where the elements of a decoded mesh were in the input. With Order::keep: 0, 1, 2 .., and first
+/// corners 0.
 struct Permutation {
   std::vector<std::uint32_t> vertices;       ///< vertices[new] = old, one for each vertex
   std::vector<std::uint32_t> faces;          ///< faces[new] = old, one for each face
-  std::vector<std::uint32_t> first_corners;  ///< first_corners[new] = the corner of the old face
-                                             ///< (0, 1, ..) that comes first now
+  std::vector<std::uint32_t> first_corners;  ///< first_corners[new] = the corner, 0, 1 .., of the
+                                             ///< old face that comes first now
 };
 
 }  // namespace clers

@@ -18,14 +18,16 @@ struct SharedVertex {
 
 /// A part of a file that decodes alone: a piece of a mesh, or a mesh that is not in pieces.
 struct Piece {
-  std::size_t mesh_index = 0;        ///< of its mesh in the file
-  std::size_t index = 0, count = 1;  ///< among the pieces of the mesh
-  Mesh mesh;                         ///< with the values of all its vertices, the shared ones too;
-                                     ///< the first one of a mesh has the mesh's metadata
-  std::vector<SharedVertex> seam;    ///< in the order of `vertex`
-  std::uint32_t first_vertex = 0;    ///< its other vertices have this number and those that
-                                     ///< follow in the whole mesh, in their order
-  std::uint32_t first_face = 0;      ///< so have its faces
+  std::size_t mesh_index = 0;  ///< of its mesh in the file
+  std::size_t index = 0;       ///< among the pieces of that mesh
+  std::size_t count = 1;       ///< of these pieces
+  /// With values of all its vertices, shared ones too. The first piece has the metadata of the
+  /// whole mesh.
+  Mesh mesh;
+  std::vector<SharedVertex> seam;  ///< by rising `vertex`
+  /// In the whole mesh, the vertices that are not shared are numbered from here on in their order.
+  std::uint32_t first_vertex = 0;
+  std::uint32_t first_face = 0;  ///< and the faces
 };
 
 }  // namespace clers

@@ -3,6 +3,7 @@
 // Checksums would stop nearly every mutation at the door, so the mutator mends them.
 #include <xxhash.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "codec/decode.h"
+#include "codec/decoder.h"
 #include "codec/encode.h"
 #include "codec/inspect.h"
 
@@ -68,37 +70,76 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   return size;
 }
 
+/// What a Decoder gives of a mesh in parts is what decode gave.
+void check_parts(const clers::Decoder& decoder, std::size_t index, const clers::MeshInfo& info,
+                 const clers::Mesh& mesh) {
+  require(info.vertices == mesh.vertex_count && info.faces == mesh.face_count() &&
+          info.corners == mesh.corners.size() && info.attributes.size() == mesh.attributes.size() &&
+          info.name == mesh.name);
+  require(!info.triangles_only || mesh.triangles_only());
+  std::vector<std::uint32_t> corners(mesh.corners.size()), sizes(mesh.face_count()),
+      opposites(corners.size());
+  std::vector<std::vector<std::byte>> values;
+  std::vector<clers::AttributeTarget> targets;
+  for (const clers::AttributeInfo& a : info.attributes) {
+    values.emplace_back(static_cast<std::size_t>(a.count * (a.value_size() + 1)));
+    targets.push_back({a.name, a.domain, a.scalar, a.components, values.back(),
+                       static_cast<std::size_t>(a.value_size() + 1)});
+  }
+  const auto may_fail = [](const clers::Expected<clers::Done>& done) {
+    require(done.ok() || done.error().limited == clers::Limited::memory);
+    return done.ok();
+  };
+  if (may_fail(decoder.decode_into(index, {.corners = corners,
+                                           .face_sizes = sizes,
+                                           .opposites = opposites,
+                                           .attributes = targets}))) {
+    require(corners == mesh.corners);
+    for (std::size_t f = 0; f < sizes.size(); ++f)
+      require(sizes[f] == (mesh.triangles_only() ? 3 : mesh.face_sizes[f]));
+    for (std::uint32_t h = 0; h < opposites.size(); ++h)
+      require(opposites[h] == clers::MeshTarget::no_opposite ||
+              (opposites[h] < opposites.size() && opposites[opposites[h]] == h));
+  }
+  std::fill(corners.begin(), corners.end(), 0);
+  const auto alone = decoder.decode_into(index, {.corners = corners});
+  require(alone.ok() == mesh.triangles_only() || corners.empty() ||
+          (!alone.ok() && alone.error().limited == clers::Limited::memory));
+  require(!alone.ok() || corners == mesh.corners);
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const clers::DecodeOptions options;  // the limits that every user has
   const auto bytes = std::as_bytes(std::span(data, size));
   auto meshes = clers::decode(bytes, options);
   std::size_t faces = 0;
-  const auto in_pieces = clers::decode_pieces(
-      bytes,
-      [&](clers::Piece piece) {
-        check(piece.mesh);
-        for (const clers::SharedVertex& v : piece.seam)
-          require(v.vertex < piece.mesh.vertex_count && v.number < piece.first_vertex);
-        faces += piece.mesh.face_count();
-      },
-      options);
+  const auto decoder = clers::Decoder::open(bytes, options);
+  clers::Expected<clers::Done> in_pieces = clers::Done{};
+  for (std::size_t i = 0; decoder && in_pieces && i < decoder->piece_count(); ++i) {
+    const auto piece = decoder->decode_piece(i);
+    if (!piece) {
+      in_pieces = clers::Failure{piece.error()};
+      break;
+    }
+    check(piece->mesh);
+    for (const clers::SharedVertex& v : piece->seam)
+      require(v.vertex < piece->mesh.vertex_count && v.number < piece->first_vertex);
+    faces += piece->mesh.face_count();
+  }
   if (!meshes) {
     require(meshes.error().code != clers::ErrorCode::internal);
     require(!clers::describe(meshes.error()).empty());
     return 0;
   }
-  require(in_pieces.ok());
-  for (const clers::Mesh& mesh : *meshes) {
-    check(mesh);
-    faces -= mesh.face_count();
+  require(decoder.ok() && in_pieces.ok());
+  const auto known = decoder->info();
+  require(known.ok() && known->meshes.size() == meshes->size());
+  for (std::size_t i = 0; i < meshes->size(); ++i) {
+    check((*meshes)[i]);
+    check_parts(*decoder, i, known->meshes[i], (*meshes)[i]);
+    faces -= (*meshes)[i].face_count();
   }
   require(faces == 0);
-  if (meshes->size() == 1) {
-    std::vector<std::uint32_t> corners(meshes->front().corners.size());
-    const auto into = clers::decode_into(bytes, corners, {}, options);
-    require(into.ok() == meshes->front().triangles_only());
-    require(!into.ok() || corners == meshes->front().corners);
-  }
   // Measuring takes more memory than decoding.
   const auto info = clers::inspect(bytes);
   require(info.ok() || info.error().limited == clers::Limited::memory);

@@ -48,7 +48,7 @@ clers::Mesh mesh_from(std::span<const std::uint8_t> in, clers::EncodeOptions& op
   const unsigned kind = in[2] & 3;
   if (in[2] & 4) options.order = clers::Order::keep;
   constexpr std::uint32_t pieces[] = {0, 1, 2, 5, 20, 50, 100, 200};
-  options.piece_faces = pieces[in[2] >> 3 & 7];
+  if (const std::uint32_t most = pieces[in[2] >> 3 & 7]; most > 0) options.piece_faces = most;
   const std::size_t axis = in[2] % 3u;
   in = in.subspan(3);
   const std::size_t faces = std::min<std::size_t>(in.size() / 4, 400);
@@ -66,7 +66,7 @@ clers::Mesh mesh_from(std::span<const std::uint8_t> in, clers::EncodeOptions& op
   position.data.resize(12 * std::size_t(mesh.vertex_count));
   for (std::size_t i = 0; i < position.data.size() && !in.empty(); ++i)
     position.data[i] = static_cast<std::byte>(in[i % in.size()] * (i / in.size() + 1));
-  if (options.piece_faces > 0)
+  if (options.piece_faces)
     for (std::uint32_t v = 0; v < mesh.vertex_count; ++v)
       std::memcpy(position.data.data() + 12 * std::size_t(v) + 4 * axis, &v, 4);
   mesh.attributes.push_back(std::move(position));

@@ -41,7 +41,7 @@ std::vector<Named> meshes() {
 
 bool is_surface(const Mesh& mesh) {
   EncodeOptions options;
-  options.on_nonmanifold = options.on_degenerate = OnOddity::error;
+  options.on_nonmanifold = options.on_degenerate = DefectPolicy::reject;
   return encode({&mesh, 1}, options).ok();
 }
 
@@ -61,7 +61,7 @@ bool write_all(const std::filesystem::path& root) {
     // Levels differ in connectivity, which knows nothing of order and pieces: one level has those.
     for (const std::uint32_t faces : {0u, 1u, 12u}) {
       EncodeOptions options;
-      options.piece_faces = faces;
+      if (faces > 0) options.piece_faces = faces;
       options.order = faces == 1 ? Order::free : Order::keep;  // 0: whole
       const auto encoded = encode({&mesh, 1}, options);
       ok = ok && encoded &&

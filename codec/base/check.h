@@ -3,26 +3,30 @@
 #ifndef CLERS_CODEC_BASE_CHECK_H
 #define CLERS_CODEC_BASE_CHECK_H
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 
-#include "codec/mesh.h"
+#include "codec/error.h"
+#include "codec/mesh_view.h"
 
 namespace clers::internal {
 
 /// Says which of the numbers that describe an attribute is out of range ("domain 3, expected 0 to
-/// 2"); empty if none is. To be asked before value_count() and stride(), which rely on them.
-inline std::string kind_defect(const Attribute& a) {
-  const auto out_of_range = [](const char* what, unsigned value, unsigned first, unsigned last) {
-    return std::string(what) + " " + std::to_string(value) + ", expected " + std::to_string(first) +
-           " to " + std::to_string(last);
-  };
-  const unsigned domain = static_cast<unsigned>(a.domain), scalar = static_cast<unsigned>(a.scalar);
-  constexpr unsigned last_domain = static_cast<unsigned>(Domain::face);
-  if (domain > last_domain) return out_of_range("domain", domain, 0, last_domain);
-  if (scalar >= scalar_count) return out_of_range("scalar", scalar, 0, scalar_count - 1);
-  if (a.components == 0) return "0 components, expected 1 to 255";
-  return {};
-}
+/// 2"); empty if none is. To be asked before value_size(), which relies on them.
+std::string kind_defect(const AttributeView& a);
+
+/// Whether so many bytes are those of `count` values of `size` bytes, `stride` apart: the last may
+/// be followed by the rest of its stride, or not. Precondition: 0 < size <= stride.
+bool holds_values(std::uint64_t bytes, std::uint64_t count, std::uint64_t size,
+                  std::uint64_t stride);
+
+/// Refuses an attribute that has not `count` values. Error: inconsistent_mesh.
+Expected<Done> check_attribute(const AttributeView& a, std::size_t count);
+
+/// Refuses faces whose arrays disagree. Errors: inconsistent_mesh, too_large. Precondition: corners
+/// have 32 bits.
+Expected<Done> check_arrays(const MeshView& mesh);
 
 }  // namespace clers::internal
 

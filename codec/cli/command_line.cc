@@ -201,13 +201,13 @@ class CommandLine {
                 default_piece_faces, most_faces_whole))
         ->option_text("N|never");
     threads(encode);
-    oddity(
-        encode, "--on-nonmanifold", options_.encode.on_nonmanifold,
-        "error: refuse edges of more than two faces, vertices of several fans, one-sided surfaces");
-    oddity(encode, "--on-degenerate", options_.encode.on_degenerate,
-           "error: refuse faces that use a vertex twice, or have fewer than three corners");
-    oddity(encode, "--on-duplicate", options_.encode.on_duplicate,
-           "error: refuse faces on the same vertices as another");
+    policy(encode, "--on-nonmanifold", options_.encode.on_nonmanifold,
+           "reject: refuse edges of more than two faces, vertices of several fans, one-sided "
+           "surfaces");
+    policy(encode, "--on-degenerate", options_.encode.on_degenerate,
+           "reject: refuse faces that use a vertex twice, or have fewer than three corners");
+    policy(encode, "--on-duplicate", options_.encode.on_duplicate,
+           "reject: refuse faces on the same vertices as another");
     encode.add_flag("--strict", options_.strict,
                     "refuse a file of which something cannot be carried, such as materials");
     keep_or_remove(encode);
@@ -355,9 +355,10 @@ class CommandLine {
   void text(CLI::App& sub) {
     sub.add_flag("--text", options_.text, "text instead of binary, for ply and stl");
   }
-  void oddity(CLI::App& sub, const char* name, OnOddity& target, const char* what) {
-    choice(sub, name, target, {{"keep", OnOddity::keep}, {"error", OnOddity::error}}, what)
-        .option_text("keep|error");
+  void policy(CLI::App& sub, const char* name, DefectPolicy& target, const char* what) {
+    choice(sub, name, target, {{"keep", DefectPolicy::keep}, {"reject", DefectPolicy::reject}},
+           what)
+        .option_text("keep|reject");
   }
   void force(CLI::App& sub) {
     sub.add_flag("-f,--force", options_.force, "overwrite the output; write to a terminal");
@@ -451,10 +452,10 @@ class CommandLine {
                 ->option_text("N");
   }
 
-  static bool parse_pieces(const std::string& text, std::uint32_t& faces) {
+  static bool parse_pieces(const std::string& text, std::optional<std::uint32_t>& faces) {
     if (text == "never")
       faces = never_in_pieces;
-    else if (!parse(text, faces))
+    else if (!parse(text, faces.emplace()) || faces == 0)
       refuse("--pieces", "a number of faces or never", text);
     return true;
   }

@@ -9,6 +9,7 @@
 #include "codec/cli/printable.h"
 #include "codec/cli/report.h"
 #include "codec/cli/words.h"
+#include "codec/decoder.h"
 
 namespace clers::cli {
 namespace {
@@ -98,7 +99,9 @@ Outcome<std::vector<Mesh>> Job::decode(std::span<const std::byte> bytes) {
     if (!meshes) return not_accepted(meshes.error());
     return std::move(*meshes);
   }
-  Expected<Piece> piece = clers::decode_piece(bytes, *options_.piece, how);
+  const Expected<Decoder> file = Decoder::open(bytes, how);
+  if (!file) return not_accepted(file.error());
+  Expected<Piece> piece = file->decode_piece(*options_.piece);
   if (!piece)
     return piece.error().code == ErrorCode::bad_option
                ? stop(Exit::usage,

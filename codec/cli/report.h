@@ -21,17 +21,17 @@ struct Measured {
 std::string grouped(std::uint64_t n);
 
 /// One file in detail.
-std::string info_text(const std::string& file, const FileInfo& info);
+std::string info_text(const std::string& file, const Inspection& found);
 std::string check_text(const std::string& file, std::span<const Measured> meshes);
 
 /// Several files, a line each below a heading.
 std::string info_heading();
-std::string info_line(const std::string& file, const FileInfo& info);
+std::string info_line(const std::string& file, const Inspection& found);
 std::string check_heading();
 std::string check_line(const std::string& file, std::span<const Measured> meshes);
 
 /// One file as JSON, and a list of such; without a line end.
-std::string info_json(const std::string& file, const FileInfo& info);
+std::string info_json(const std::string& file, const Inspection& found);
 std::string check_json(const std::string& file, std::span<const Measured> meshes);
 std::string json_list(std::span<const std::string> files);
 

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <limits>
 
-#include "codec/soup/adjacency.h"
+#include "codec/surface.h"
 #include "topology/modeling/four_eight.h"
 #include "topology/modeling/loop.h"
 #include "topology/modeling/sqrt3.h"
@@ -96,30 +96,6 @@ double faces_after(const Subdivision& how, double faces) {
   return faces * std::pow(factor, how.times);
 }
 
-Expected<Surface> surface_of(const Mesh& mesh) {
-  for (std::uint32_t f = 0; f < mesh.face_sizes.size(); ++f)
-    if (mesh.face_sizes[f] != 3)
-      return fail(ErrorCode::unsupported, Place::face, f,
-                  fmt::format("has {} corners, subdivision is of triangles", mesh.face_sizes[f]));
-  const auto& c = mesh.corners;
-  for (std::size_t f = 0; f < c.size() / 3; ++f)
-    if (c[3 * f] == c[3 * f + 1] || c[3 * f + 1] == c[3 * f + 2] || c[3 * f + 2] == c[3 * f])
-      return fail(ErrorCode::degenerate_face, Place::face, f, "uses a vertex twice");
-  const internal::Faces faces(c, {});
-  const auto twins = internal::find_twins(faces, mesh.vertex_count);
-  if (!twins) return Failure{twins.error()};
-  if (const std::uint32_t v = internal::vertex_of_several_fans(faces, *twins, mesh.vertex_count);
-      v != ~0u)
-    return fail(ErrorCode::nonmanifold_vertex, Place::vertex, v,
-                "has faces in more than one fan, subdivision is of manifolds");
-  std::vector<Vertex> org;
-  org.reserve(c.size());
-  for (const std::uint32_t v : c) org.emplace_back(v);
-  auto surface = Surface::from_twins(org, *twins, mesh.vertex_count);
-  if (!surface) return fail(ErrorCode::internal, describe(surface.error()));
-  return *std::move(surface);
-}
-
 template <class Geometry>
 Result<Done, Violation> run(Surface& surface, Geometry& geometry, const Subdivision& how) {
   Creases none;
@@ -156,22 +132,22 @@ Expected<Done> run(Surface& surface, const std::vector<const Attribute*>& carrie
   if (const auto ok = run(surface, geometry, how); !ok)
     return fail(ErrorCode::too_large, clers::describe(ok.error()));
 
-  std::vector<std::uint32_t> number(surface.vertex_limit());
-  for (const Vertex v : surface.vertices()) number[v.index()] = out.vertex_count++;
-  out.corners.reserve(3 * static_cast<std::size_t>(surface.characteristic().f));
-  for (const Face f : surface.faces())
-    for (const HalfEdge h : surface.star(f)) out.corners.push_back(number[surface.org(h).index()]);
+  std::vector<std::vector<std::byte>> data;
+  std::vector<AttributeView> views;
   std::size_t first = 0;
   for (const Attribute* a : carried) {
-    Attribute made{a->name, a->domain, a->scalar, a->components, {}};
-    made.data.resize(out.vertex_count * made.stride());
-    std::byte* at = made.data.data();
+    std::byte* at = data.emplace_back(surface.vertex_limit() * a->stride()).data();
     for (const Vertex v : surface.vertices())
-      for (std::size_t k = 0; k < a->components; ++k, at += size_of(a->scalar))
-        store(a->scalar, geometry[v][first + k], at);
+      for (std::size_t k = 0; k < a->components; ++k)
+        store(a->scalar, geometry[v][first + k],
+              at + v.index() * a->stride() + k * size_of(a->scalar));
     first += a->components;
-    out.attributes.push_back(std::move(made));
+    views.push_back({a->name, a->domain, a->scalar, a->components, data.back(), 0});
   }
+  auto made = to_mesh(surface, views);
+  if (!made) return Failure{made.error()};
+  made->mesh.name = std::move(out.name);
+  out = std::move(made->mesh);
   return Done{};
 }
 
@@ -187,7 +163,7 @@ Expected<Subdivided> subdivide(const Mesh& mesh, const Subdivision& how,
   const Attribute* position = mesh.position();
   if (position == nullptr || position->components != 3)
     return fail(ErrorCode::unsupported, "has no positions to subdivide by");
-  auto surface = surface_of(mesh);
+  auto surface = to_surface(mesh);
   if (!surface) return Failure{surface.error()};
   const double faces = faces_after(how, static_cast<double>(surface->characteristic().f));
   if (faces > max_faces)

@@ -125,15 +125,6 @@ std::uint64_t attribute_memory(const Attribute& what, std::uint64_t count) {
   return sizeof(Attribute) + what.name.size() + count * what.stride();
 }
 
-std::uint64_t count_of(const MeshSections& mesh, Domain domain) {
-  switch (domain) {
-    case Domain::vertex: return mesh.vertices;
-    case Domain::corner: return mesh.corners;
-    case Domain::face: return mesh.faces;
-  }
-  return 0;
-}
-
 }  // namespace
 
 PieceMemory memory_of(const PieceSections& s, Values values) {
@@ -230,7 +221,7 @@ std::uint64_t room_memory(const MeshSections& sections, Values values) {
   for (const PieceSections& piece : sections.pieces) memory += isolated_memory(piece);
   if (values == Values::skip) return memory;
   for (const PieceSections::AttributeSection& a : sections.pieces[0].attributes)
-    memory += attribute_memory(a.header.attribute, count_of(sections, a.header.attribute.domain));
+    memory += attribute_memory(a.header.attribute, sections.count(a.header.attribute.domain));
   return memory;
 }
 
@@ -243,7 +234,7 @@ Mesh make_room(const MeshSections& sections, Values values) {
   mesh.attributes.reserve(sections.pieces[0].attributes.size());
   for (const PieceSections::AttributeSection& a : sections.pieces[0].attributes) {
     Attribute attribute = a.header.attribute;
-    const std::uint64_t count = count_of(sections, attribute.domain);
+    const std::uint64_t count = sections.count(attribute.domain);
     attribute.data.resize(static_cast<std::size_t>(count) * attribute.stride());
     mesh.attributes.push_back(std::move(attribute));
   }
@@ -255,8 +246,8 @@ std::uint64_t finishing_memory(const MeshSections& s, Values values) {
   std::uint64_t most = 0;
   if (values == Values::decode)
     for (const PieceSections::AttributeSection& a : s.pieces[0].attributes)
-      most = std::max(most,
-                      attribute_memory(a.header.attribute, count_of(s, a.header.attribute.domain)));
+      most =
+          std::max(most, attribute_memory(a.header.attribute, s.count(a.header.attribute.domain)));
   return restoring_memory(s.corners, s.faces, s.vertices, s.may_have_sizes(), most);
 }
 

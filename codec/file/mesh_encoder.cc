@@ -23,64 +23,9 @@
 namespace clers::internal {
 namespace {
 
-std::size_t face_of_corner(const Mesh& mesh, std::size_t h) {
-  if (mesh.triangles_only()) return h / 3;
-  std::size_t f = 0;
-  while (h >= mesh.face_sizes[f]) h -= mesh.face_sizes[f++];
-  return f;
-}
-
-/// Refuses meshes whose arrays disagree.
-Expected<Done> check_arrays(const Mesh& mesh) {
-  if (mesh.triangles_only()) {
-    if (mesh.corners.size() % 3 != 0)
-      return fail(ErrorCode::inconsistent_mesh,
-                  std::to_string(mesh.corners.size()) + " corners, expected a multiple of 3");
-  } else {
-    std::uint64_t corners = 0;
-    for (const std::uint32_t size : mesh.face_sizes) corners += size;
-    if (corners != mesh.corners.size())
-      return fail(ErrorCode::inconsistent_mesh,
-                  "faces of " + std::to_string(corners) + " corners in all, but " +
-                      std::to_string(mesh.corners.size()) + " corners are given");
-  }
-  if (mesh.corners.size() > max_corners || mesh.face_count() > max_corners)
-    return fail(ErrorCode::too_large, std::to_string(mesh.face_count()) + " faces of " +
-                                          std::to_string(mesh.corners.size()) +
-                                          " corners, expected at most " +
-                                          std::to_string(max_corners));
-  std::uint32_t largest = 0;
-  for (const std::uint32_t v : mesh.corners) largest = std::max(largest, v);
-  if (!mesh.corners.empty() && largest >= mesh.vertex_count) {
-    std::size_t h = 0;
-    while (mesh.corners[h] < mesh.vertex_count) ++h;
-    return fail(ErrorCode::inconsistent_mesh, Place::face, face_of_corner(mesh, h),
-                "has vertex " + std::to_string(mesh.corners[h]) + ", expected one below " +
-                    std::to_string(mesh.vertex_count));
-  }
-  if (!is_utf8(mesh.name))
-    return fail(ErrorCode::inconsistent_mesh, "the name of the mesh is not UTF-8");
-  if (std::string what = metadata_fault(mesh.metadata); !what.empty())
-    return fail(ErrorCode::inconsistent_mesh, std::move(what));
-  for (const Attribute& a : mesh.attributes) {
-    if (!is_utf8(a.name))
-      return fail(ErrorCode::inconsistent_mesh, "an attribute's name is not UTF-8");
-    if (a.name.size() > 255)
-      return fail(ErrorCode::inconsistent_mesh, "an attribute's name is longer than 255 bytes");
-    if (const std::string defect = kind_defect(a); !defect.empty())
-      return fail(ErrorCode::inconsistent_mesh, "attribute \"" + a.name + "\" has " + defect);
-    if (a.data.size() != mesh.value_count(a.domain) * a.stride())
-      return fail(ErrorCode::inconsistent_mesh,
-                  "attribute \"" + a.name + "\" has " + std::to_string(a.data.size()) +
-                      " bytes of values, expected " + std::to_string(mesh.value_count(a.domain)) +
-                      " times " + std::to_string(a.stride()));
-  }
-  return Done{};
-}
-
 class MeshEncoder {
  public:
-  MeshEncoder(const Mesh& mesh, const EncodeOptions& options)
+  MeshEncoder(const MeshView& mesh, const EncodeOptions& options)
       : mesh_(mesh),
         options_(options),
         all_(mesh.corners, mesh.face_sizes),
@@ -119,9 +64,10 @@ class MeshEncoder {
       kept_order.clear();
       triangles = fan_triangles(mesh_.corners, mesh_.face_sizes);
       order() = identity(mesh_);
-      info().cuts = {};
-      info().clers = {};
+      result.counts = {};
+      info().copied_vertices = info().repeated_faces = info().degenerate_faces = 0;
       info().polygon_bytes = info().stitching_bytes = 0;
+      info().triangles_only = false;
     }
     info().connectivity_bytes = payload.size() + kept_order.size();
     info().order_bytes = kept_order.size();
@@ -211,30 +157,20 @@ class MeshEncoder {
                                              mesh_.vertex_count, order);
   }
 
-  std::uint64_t used_vertices() const {
-    if (regular_.degenerate().empty() && surface_vertices_ > 0) return surface_vertices_;
-    std::vector<bool> used(mesh_.vertex_count);
-    for (const std::uint32_t v : mesh_.corners) used[v] = true;
-    return static_cast<std::uint64_t>(std::count(used.begin(), used.end(), true));
-  }
-
   void describe(const EncodedSurface& coded) {
     info().name = mesh_.name;
-    info().cuts = {count_reversed(coded.reversed_runs), coded.copied_vertices, coded.repeated_faces,
-                   regular_.degenerate().size()};
-    info().clers = in_word_order(coded.counts.symbols);
+    info().vertices = mesh_.vertex_count;
+    info().faces = mesh_.face_count();
+    info().corners = mesh_.corners.size();
+    info().triangles_only = coded.polygons.empty() && degenerate_stream_.empty();
+    info().copied_vertices = coded.copied_vertices;
+    info().repeated_faces = coded.repeated_faces;
+    info().degenerate_faces = regular_.degenerate().size();
     info().polygon_bytes = coded.polygons.bytes.size();
     info().stitching_bytes = coded.reversed.bytes.size() + coded.copies.bytes.size() +
                              coded.repeats.bytes.size() + folded_stream_.bytes.size() +
                              degenerate_stream_.bytes.size();
-    MeshShape& shape = info().shape;
-    shape.vertices = mesh_.vertex_count;
-    shape.faces = mesh_.face_count();
-    shape.triangles = mesh_.corners.size() - 2 * mesh_.face_count();
-    shape.components = coded.counts.components;
-    shape.boundary_curves = coded.counts.boundary_curves;
-    shape.genus = coded.counts.handles;
-    shape.isolated_vertices = mesh_.vertex_count - used_vertices();
+    result.counts = {count_reversed(coded.reversed_runs), in_word_order(coded.counts.symbols)};
   }
 
   template <class Progress>
@@ -244,27 +180,29 @@ class MeshEncoder {
     std::vector<Expected<Bytes>> coded(count,
                                        fail(ErrorCode::internal, "an attribute is not encoded"));
     for_each_item(count, threads, [&](std::size_t i, unsigned worker) {
-      const Attribute& a = mesh_.attributes[i];
+      const AttributeView a = mesh_.attributes[i];
       if (worker == 0)
         progress(a.name, 0.4 + 0.6 * static_cast<double>(i) / static_cast<double>(count));
-      Attribute permuted{a.name, a.domain, a.scalar, a.components, {}};
+      Attribute permuted{std::string(a.name), a.domain, a.scalar, a.components, {}};
       permuted.data = permuted_values(a, all_, result.order);
       coded[i] = encode_attribute(permuted, triangles, options_.level);
     });
-    const Attribute* const position = mesh_.position();
+    bool position_seen = false;
     for (std::size_t i = 0; i < count; ++i) {
       if (!coded[i]) return Failure{coded[i].error()};
-      const Attribute& a = mesh_.attributes[i];
+      const AttributeView a = mesh_.attributes[i];
       const std::size_t bytes = coded[i]->size();
-      info().attributes.push_back(
-          {a.name, a.domain, a.scalar, a.components, mesh_.value_count(a.domain), bytes});
-      (&a == position ? info().position_bytes : info().attribute_bytes) += bytes;
+      info().attributes.push_back({std::string(a.name), a.domain, a.scalar, a.components,
+                                   mesh_.value_count(a.domain), bytes});
+      const bool position = !position_seen && a.domain == Domain::vertex && a.name == position_name;
+      position_seen |= position;
+      (position ? info().position_bytes : info().attribute_bytes) += bytes;
       put(SectionKind::attribute, std::move(*coded[i]));
     }
     return Done{};
   }
 
-  const Mesh& mesh_;
+  const MeshView mesh_;
   const EncodeOptions& options_;
   const Cycles all_;
   const RegularFaces regular_;
@@ -274,13 +212,19 @@ class MeshEncoder {
 
 }  // namespace
 
-Expected<Done> check(const Mesh& mesh, const EncodeOptions& options) {
+Expected<Done> check(const MeshView& mesh, const EncodeOptions& options) {
   if (auto ok = check_arrays(mesh); !ok) return ok;
+  if (!is_utf8(mesh.name))
+    return fail(ErrorCode::inconsistent_mesh, "the name of the mesh is not UTF-8");
+  if (std::string what = metadata_fault(mesh.metadata); !what.empty())
+    return fail(ErrorCode::inconsistent_mesh, std::move(what));
+  for (const AttributeView a : mesh.attributes)
+    if (auto ok = check_attribute(a, mesh.value_count(a.domain)); !ok) return ok;
   return refuse_defects(mesh, options);
 }
 
-Expected<EncodedMesh> encode_mesh(const Mesh& mesh, const EncodeOptions& options, unsigned threads,
-                                  const Progress& progress) {
+Expected<EncodedMesh> encode_mesh(const MeshView& mesh, const EncodeOptions& options,
+                                  unsigned threads, const Progress& progress) {
   progress("connectivity", 0.0);
   MeshEncoder encoder(mesh, options);
   if (auto ok = encoder.run(threads, progress); !ok) return Failure{ok.error()};

@@ -12,7 +12,7 @@
 #include "codec/error.h"
 #include "codec/file/container.h"
 #include "codec/info.h"
-#include "codec/mesh.h"
+#include "codec/mesh_view.h"
 #include "codec/options.h"
 
 namespace clers::internal {
@@ -29,10 +29,11 @@ struct EncodedMesh {
   std::vector<EncodedSection> sections;
   Permutation order;
   MeshInfo info;
+  CodingCounts counts;
 };
 
 /// Refuses meshes whose arrays disagree, and those with faces that the options do not allow.
-Expected<Done> check(const Mesh& mesh, const EncodeOptions& options);
+Expected<Done> check(const MeshView& mesh, const EncodeOptions& options);
 
 /// Takes the stage of the work and the share of it that is done.
 using Progress = std::function<void(std::string_view stage, double share)>;
@@ -40,8 +41,8 @@ using Progress = std::function<void(std::string_view stage, double share)>;
 /// Encodes in one piece. `progress` takes shares of this mesh. Threads are for its attributes.
 /// Precondition: check() has passed it. Errors: internal, limit.
 /// Throws std::bad_alloc only.
-Expected<EncodedMesh> encode_mesh(const Mesh& mesh, const EncodeOptions& options, unsigned threads,
-                                  const Progress& progress);
+Expected<EncodedMesh> encode_mesh(const MeshView& mesh, const EncodeOptions& options,
+                                  unsigned threads, const Progress& progress);
 
 }  // namespace clers::internal
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "codec/base/check.h"
 #include "codec/base/utf8.h"
 
 namespace clers::internal {

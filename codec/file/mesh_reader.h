@@ -68,6 +68,15 @@ struct MeshSections {
   std::string name;
   bool has_order = false, has_name = false;
 
+  std::uint64_t count(Domain domain) const {
+    switch (domain) {
+      case Domain::vertex: return vertices;
+      case Domain::corner: return corners;
+      case Domain::face: return faces;
+    }
+    return 0;
+  }
+
   bool may_have_sizes() const {
     return std::any_of(pieces.begin(), pieces.end(),
                        [](const PieceSections& p) { return p.may_have_sizes(); });

@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "codec/base/faces.h"
-#include "codec/mesh.h"
+#include "codec/mesh_view.h"
 #include "codec/order.h"
 
 namespace clers::internal {
 
-inline Permutation identity(const Mesh& mesh) {
+inline Permutation identity(const MeshView& mesh) {
   Permutation order;
   order.vertices.resize(mesh.vertex_count);
   order.faces.resize(mesh.face_count());
@@ -60,14 +60,17 @@ inline PermutedFaces permuted(const Cycles& faces, const Permutation& order) {
 }
 
 /// The values of an attribute in the new order. `faces` are those that it has values for.
-inline std::vector<std::byte> permuted_values(const Attribute& a, const Cycles& faces,
+inline std::vector<std::byte> permuted_values(const AttributeView& a, const Cycles& faces,
                                               const Permutation& order) {
-  const std::size_t stride = a.stride();
-  std::vector<std::byte> result(a.data.size());
+  const std::size_t count = a.domain == Domain::vertex ? order.vertices.size()
+                            : a.domain == Domain::face ? order.faces.size()
+                                                       : faces.org.size();
+  const std::size_t size = a.value_size(), step = a.step();
+  std::vector<std::byte> result(count * size);
   std::byte* to = result.data();
   const auto copy = [&](std::size_t from) {
-    std::memcpy(to, a.data.data() + from * stride, stride);
-    to += stride;
+    std::memcpy(to, a.data.data() + from * step, size);
+    to += size;
   };
   switch (a.domain) {
     case Domain::vertex:

@@ -14,14 +14,13 @@ namespace {
 
 /// Adds what is said of a piece that shares vertices with those before.
 void add(const MeshInfo& piece, std::uint64_t shared, MeshInfo& whole) {
-  whole.shape.vertices += piece.shape.vertices - shared;
-  whole.shape.faces += piece.shape.faces;
-  whole.shape.triangles += piece.shape.triangles;
-  whole.cuts.turned_faces += piece.cuts.turned_faces;
-  whole.cuts.copied_vertices += piece.cuts.copied_vertices;
-  whole.cuts.repeated_faces += piece.cuts.repeated_faces;
-  whole.cuts.loose_faces += piece.cuts.loose_faces;
-  for (std::size_t i = 0; i < piece.clers.size(); ++i) whole.clers[i] += piece.clers[i];
+  whole.vertices += piece.vertices - shared;
+  whole.faces += piece.faces;
+  whole.corners += piece.corners;
+  whole.triangles_only &= piece.triangles_only;
+  whole.copied_vertices += piece.copied_vertices;
+  whole.repeated_faces += piece.repeated_faces;
+  whole.degenerate_faces += piece.degenerate_faces;
   whole.connectivity_bytes += piece.connectivity_bytes;
   whole.polygon_bytes += piece.polygon_bytes;
   whole.stitching_bytes += piece.stitching_bytes;
@@ -36,6 +35,11 @@ void add(const MeshInfo& piece, std::uint64_t shared, MeshInfo& whole) {
   }
 }
 
+void add(const CodingCounts& piece, CodingCounts& whole) {
+  whole.reversed_faces += piece.reversed_faces;
+  for (std::size_t i = 0; i < piece.symbols.size(); ++i) whole.symbols[i] += piece.symbols[i];
+}
+
 }  // namespace
 
 Expected<EncodedMesh> encode_piece(PieceCutter::Piece piece, std::span<const std::uint32_t> faces,
@@ -47,7 +51,7 @@ Expected<EncodedMesh> encode_piece(PieceCutter::Piece piece, std::span<const std
   return coded;
 }
 
-EncodedMesh join_pieces(std::vector<EncodedMesh> pieces, const Mesh& mesh, Order order) {
+EncodedMesh join_pieces(std::vector<EncodedMesh> pieces, const MeshView& mesh, Order order) {
   EncodedMesh whole;
   Bytes count;
   put_varint(count, pieces.size());
@@ -85,12 +89,9 @@ EncodedMesh join_pieces(std::vector<EncodedMesh> pieces, const Mesh& mesh, Order
       whole.sections.push_back({SectionKind::seam, std::move(seam)});
     }
     add(piece.info, shared, whole.info);
+    add(piece.counts, whole.counts);
     piece = {};
   }
-  std::vector<bool> used(mesh.vertex_count);
-  for (const std::uint32_t v : mesh.corners) used[v] = true;
-  whole.info.shape.isolated_vertices =
-      static_cast<std::uint64_t>(std::count(used.begin(), used.end(), false));
   if (!mesh.name.empty()) {
     const auto name = std::as_bytes(std::span(mesh.name));
     whole.sections.push_back({SectionKind::name, Bytes(name.begin(), name.end())});

@@ -18,7 +18,7 @@ Expected<EncodedMesh> encode_piece(PieceCutter::Piece piece, std::span<const std
                                    const EncodeOptions& options, const Progress& progress);
 
 /// Makes one mesh of coded pieces: adds up what was found in them, and inserts the seams.
-EncodedMesh join_pieces(std::vector<EncodedMesh> pieces, const Mesh& mesh, Order order);
+EncodedMesh join_pieces(std::vector<EncodedMesh> pieces, const MeshView& mesh, Order order);
 
 }  // namespace clers::internal
 

@@ -34,38 +34,77 @@ Expected<std::vector<std::uint32_t>> number_piece(const PiecePlace& place,
   return numbers;
 }
 
-Expected<Done> put_piece(const PiecePlace& place, const Mesh& piece, Mesh& whole) {
-  const auto corners = std::span(whole.corners)
-                           .subspan(static_cast<std::size_t>(place.first_corner),
-                                    static_cast<std::size_t>(place.corners));
-  std::copy(piece.corners.begin(), piece.corners.end(), corners.begin());
-  auto numbers = number_piece(place, corners);
-  if (!numbers) return Failure{numbers.error()};
-  if (!whole.face_sizes.empty()) {
-    std::uint32_t* size = whole.face_sizes.data() + place.first_face;
-    if (piece.triangles_only())
-      std::fill_n(size, piece.face_count(), 3u);
-    else
-      std::copy(piece.face_sizes.begin(), piece.face_sizes.end(), size);
+namespace {
+
+/// Puts a piece into arrays; `values_of(k)` is memory for attribute k, and bytes between its
+/// values.
+template <class ValuesOf>
+Expected<Done> put_piece(const PiecePlace& place, const Mesh& piece,
+                         std::span<std::uint32_t> corners, std::span<std::uint32_t> sizes,
+                         ValuesOf values_of) {
+  std::vector<std::uint32_t> own;
+  if (corners.empty()) {
+    own = piece.corners;
+  } else {
+    corners = corners.subspan(static_cast<std::size_t>(place.first_corner),
+                              static_cast<std::size_t>(place.corners));
+    std::copy(piece.corners.begin(), piece.corners.end(), corners.begin());
   }
+  auto numbers = number_piece(place, own.empty() ? corners : std::span(own));
+  if (!numbers) return Failure{numbers.error()};
+  if (!sizes.empty()) put_sizes(piece, sizes.subspan(static_cast<std::size_t>(place.first_face)));
   for (std::size_t k = 0; k < piece.attributes.size(); ++k) {
     const Attribute& from = piece.attributes[k];
-    std::byte* to = whole.attributes[k].data.data();
-    const std::size_t stride = from.stride();
-    if (from.domain != Domain::vertex) {
-      const std::uint64_t first =
-          from.domain == Domain::face ? place.first_face : place.first_corner;
-      std::copy(from.data.begin(), from.data.end(), to + first * stride);
-      continue;
-    }
-    to += place.first_vertex * stride;
-    for (std::size_t v = 0; v < piece.vertex_count; ++v) {
-      if (v < numbers->size() && (*numbers)[v] < place.first_vertex) continue;
-      std::memcpy(to, from.data.data() + v * stride, stride);
-      to += stride;
+    const auto [to, step] = values_of(k);
+    const std::size_t size = from.stride();
+    if (from.domain == Domain::vertex) {
+      std::size_t next = static_cast<std::size_t>(place.first_vertex);
+      for (std::size_t v = 0; v < piece.vertex_count; ++v) {
+        if (v < numbers->size() && (*numbers)[v] < place.first_vertex) continue;
+        std::memcpy(to + next++ * step, from.data.data() + v * size, size);
+      }
+    } else {
+      put_values(
+          from,
+          to + step * static_cast<std::size_t>(from.domain == Domain::face ? place.first_face
+                                                                           : place.first_corner),
+          step);
     }
   }
   return Done{};
+}
+
+}  // namespace
+
+void put_sizes(const Mesh& from, std::span<std::uint32_t> to) {
+  if (from.triangles_only())
+    std::fill_n(to.begin(), from.face_count(), 3u);
+  else
+    std::copy(from.face_sizes.begin(), from.face_sizes.end(), to.begin());
+}
+
+void put_values(const Attribute& from, std::byte* to, std::size_t step) {
+  const std::size_t size = from.stride();
+  if (step == size) {
+    std::copy(from.data.begin(), from.data.end(), to);
+    return;
+  }
+  for (std::size_t at = 0; at < from.data.size(); at += size, to += step)
+    std::memcpy(to, from.data.data() + at, size);
+}
+
+Expected<Done> put_piece(const PiecePlace& place, const Mesh& piece, Mesh& whole) {
+  return put_piece(place, piece, whole.corners, whole.face_sizes, [&](std::size_t k) {
+    Attribute& a = whole.attributes[k];
+    return std::pair(a.data.data(), a.stride());
+  });
+}
+
+Expected<Done> put_piece(const PiecePlace& place, const Mesh& piece, const MeshTarget& whole) {
+  return put_piece(place, piece, whole.corners, whole.face_sizes, [&](std::size_t k) {
+    const AttributeTarget& a = whole.attributes[k];
+    return std::pair(a.data.data(), a.step());
+  });
 }
 
 }  // namespace clers::internal

@@ -10,6 +10,7 @@
 
 #include "codec/error.h"
 #include "codec/mesh.h"
+#include "codec/mesh_target.h"
 #include "codec/piece.h"
 #include "codec/pieces/seams.h"
 
@@ -43,6 +44,14 @@ Expected<std::vector<std::uint32_t>> number_piece(const PiecePlace& place,
 /// Precondition: `whole` has room for all its pieces, and the attributes of this one. Error:
 /// invalid.
 Expected<Done> put_piece(const PiecePlace& place, const Mesh& piece, Mesh& whole);
+
+/// The same, into memory of a caller: 32-bit corners, face sizes, and the attributes that the piece
+/// has, or some of these.
+Expected<Done> put_piece(const PiecePlace& place, const Mesh& piece, const MeshTarget& whole);
+
+/// The sizes of all faces of a mesh; the values of an attribute, `step` bytes apart.
+void put_sizes(const Mesh& from, std::span<std::uint32_t> to);
+void put_values(const Attribute& from, std::byte* to, std::size_t step);
 
 }  // namespace clers::internal
 

@@ -17,15 +17,15 @@ namespace {
 
 /// Numbers that sort like a component of the positions, each to `out`, `step` apart.
 template <class U>
-void put_ordered(const Attribute& position, unsigned component, std::uint32_t count,
+void put_ordered(const AttributeView& position, unsigned component, std::uint32_t count,
                  std::uint32_t* out, unsigned step) {
   const bool is_signed = position.scalar == Scalar::int8 || position.scalar == Scalar::int16 ||
                          position.scalar == Scalar::int32 || position.scalar == Scalar::int64;
-  const std::byte* from = position.data.data() + component * sizeof(U);
+  const std::size_t from_step = position.step();
   std::vector<U> wide(sizeof(U) > 4 ? count : 0);
-  for (std::uint32_t v = 0; v < count; ++v, from += position.stride()) {
+  for (std::uint32_t v = 0; v < count; ++v) {
     U key;
-    std::memcpy(&key, from, sizeof(U));
+    std::memcpy(&key, position.data.data() + v * from_step + component * sizeof(U), sizeof(U));
     if (is_float(position.scalar))
       key = to_ordered(key);
     else if (is_signed)
@@ -186,8 +186,8 @@ std::vector<std::uint32_t> grown(const Faces& faces, std::uint32_t vertex_count,
 
 }  // namespace
 
-SpatialKeys::SpatialKeys(const Mesh& mesh) {
-  const Attribute* position = mesh.position();
+SpatialKeys::SpatialKeys(const MeshView& mesh) {
+  const std::optional<AttributeView> position = mesh.position();
   if (!position) return;
   axes_ = std::min<unsigned>(position->components, 3);
   is_float_ = position->scalar == Scalar::float32;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "codec/base/faces.h"
-#include "codec/mesh.h"
+#include "codec/mesh_view.h"
 
 namespace clers::internal {
 
@@ -15,7 +15,7 @@ namespace clers::internal {
 class SpatialKeys {
  public:
   /// Cost: linear, but for coordinates of 64 bits n log n; 4 bytes a coordinate.
-  explicit SpatialKeys(const Mesh& mesh);
+  explicit SpatialKeys(const MeshView& mesh);
 
   unsigned axes() const { return axes_; }  ///< 0: nothing is known
   std::uint32_t at(unsigned axis, std::uint32_t v) const { return of(v)[axis]; }

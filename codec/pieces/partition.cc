@@ -128,7 +128,7 @@ Patches patches_of(const SpatialKeys& places, const Faces& faces,
 }
 
 /// The piece of each vertex.
-std::vector<std::uint32_t> pieces_of_vertices(const Mesh& mesh, const Faces& faces,
+std::vector<std::uint32_t> pieces_of_vertices(const MeshView& mesh, const Faces& faces,
                                               std::uint32_t pieces, unsigned threads) {
   // Cells are what pieces are made of: 64 of them make a piece that is round enough, where there
   // are not too many in all.
@@ -242,7 +242,7 @@ void repair_pinched_vertices(const Faces& faces, std::uint32_t vertex_count,
 
 }  // namespace
 
-Partition partition(const Mesh& mesh, std::uint32_t piece_faces, unsigned threads) {
+Partition partition(const MeshView& mesh, std::uint32_t piece_faces, unsigned threads) {
   const Faces faces(mesh.corners, mesh.face_sizes);
   const std::uint32_t count = faces.count(), pieces = (count + piece_faces - 1) / piece_faces;
   std::vector<std::uint32_t> of_face(count);

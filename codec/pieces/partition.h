@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "codec/mesh.h"
+#include "codec/mesh_view.h"
 
 namespace clers::internal {
 
@@ -31,7 +31,7 @@ struct Partition {
 /// nor that of vertices. Without positions cells grow along the faces, and the parts do depend on
 /// that. Precondition: the mesh is consistent. Cost: linear, and n log n in the patches; some 20
 /// bytes a face. Throws std::bad_alloc only.
-Partition partition(const Mesh& mesh, std::uint32_t piece_faces, unsigned threads = 1);
+Partition partition(const MeshView& mesh, std::uint32_t piece_faces, unsigned threads = 1);
 
 }  // namespace clers::internal
 

@@ -7,7 +7,7 @@
 #include "codec/base/no_index.h"
 
 namespace clers::internal {
-PieceCutter::PieceCutter(const Mesh& mesh, Partition parts)
+PieceCutter::PieceCutter(const MeshView& mesh, Partition parts)
     : mesh_(mesh), parts_(std::move(parts)), all_(mesh.corners, mesh.face_sizes) {
   std::vector<bool> used(mesh.vertex_count);
   for (const std::uint32_t v : mesh.corners) used[v] = true;
@@ -37,25 +37,26 @@ PieceCutter::Piece PieceCutter::cut(std::size_t piece, std::vector<std::uint32_t
     result.vertices.insert(result.vertices.end(), isolated_.begin(), isolated_.end());
   mesh.vertex_count = static_cast<std::uint32_t>(result.vertices.size());
 
-  for (const Attribute& a : mesh_.attributes) {
-    Attribute part{a.name, a.domain, a.scalar, a.components, {}};
-    const auto copy = [&](std::size_t first, std::size_t values) {
-      const auto from = a.data.begin() + static_cast<std::ptrdiff_t>(first * a.stride());
-      part.data.insert(part.data.end(), from,
-                       from + static_cast<std::ptrdiff_t>(values * a.stride()));
+  for (const AttributeView a : mesh_.attributes) {
+    Attribute part{std::string(a.name), a.domain, a.scalar, a.components, {}};
+    const std::size_t value_size = a.value_size(), step = a.step();
+    const auto copy = [&](std::size_t value) {
+      const std::byte* from = a.data.data() + value * step;
+      part.data.insert(part.data.end(), from, from + value_size);
     };
     switch (a.domain) {
       case Domain::vertex:
-        part.data.reserve(result.vertices.size() * a.stride());
-        for (const std::uint32_t v : result.vertices) copy(v, 1);
+        part.data.reserve(result.vertices.size() * value_size);
+        for (const std::uint32_t v : result.vertices) copy(v);
         break;
       case Domain::face:
-        part.data.reserve(faces.size() * a.stride());
-        for (const std::uint32_t f : faces) copy(f, 1);
+        part.data.reserve(faces.size() * value_size);
+        for (const std::uint32_t f : faces) copy(f);
         break;
       case Domain::corner:
-        part.data.reserve(mesh.corners.size() * a.stride());
-        for (const std::uint32_t f : faces) copy(all_.begin(f), all_.size(f));
+        part.data.reserve(mesh.corners.size() * value_size);
+        for (const std::uint32_t f : faces)
+          for (std::uint32_t h = all_.begin(f); h < all_.end(f); ++h) copy(h);
         break;
     }
     mesh.attributes.push_back(std::move(part));

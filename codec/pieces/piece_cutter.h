@@ -17,7 +17,7 @@ namespace clers::internal {
 class PieceCutter {
  public:
   /// Vertices that no face uses go to the last piece. The mesh must outlive this. Cost: linear.
-  PieceCutter(const Mesh& mesh, Partition parts);
+  PieceCutter(const MeshView& mesh, Partition parts);
 
   std::size_t count() const { return parts_.count(); }
   std::span<const std::uint32_t> faces(std::size_t piece) const { return parts_.piece(piece); }
@@ -31,7 +31,7 @@ class PieceCutter {
   Piece cut(std::size_t piece, std::vector<std::uint32_t>& number) const;
 
  private:
-  const Mesh& mesh_;
+  MeshView mesh_;
   Partition parts_;
   Cycles all_;
   std::vector<std::uint32_t> isolated_;  ///< vertices that no face uses

@@ -9,10 +9,10 @@
 
 namespace clers::internal {
 
-Expected<Done> refuse_defects(const Mesh& mesh, const EncodeOptions& options) {
-  const bool degenerate = options.on_degenerate == OnOddity::error,
-             duplicate = options.on_duplicate == OnOddity::error,
-             nonmanifold = options.on_nonmanifold == OnOddity::error;
+Expected<Done> refuse_defects(const MeshView& mesh, const EncodeOptions& options) {
+  const bool degenerate = options.on_degenerate == DefectPolicy::reject,
+             duplicate = options.on_duplicate == DefectPolicy::reject,
+             nonmanifold = options.on_nonmanifold == DefectPolicy::reject;
   if (!degenerate && !duplicate && !nonmanifold) return Done{};
   const Cycles all(mesh.corners, mesh.face_sizes);
   const RegularFaces regular(all, mesh.face_sizes, mesh.vertex_count);

@@ -4,7 +4,7 @@
 #define CLERS_CODEC_SOUP_DEFECTS_H
 
 #include "codec/error.h"
-#include "codec/mesh.h"
+#include "codec/mesh_view.h"
 #include "codec/options.h"
 
 namespace clers::internal {
@@ -13,7 +13,7 @@ namespace clers::internal {
 /// agree. Errors: degenerate_face, duplicate_face, nonmanifold_edge, nonorientable,
 /// nonmanifold_vertex. Cost: none where all is allowed; else linear, and a sort of the faces for
 /// duplicates. Throws std::bad_alloc only.
-Expected<Done> refuse_defects(const Mesh& mesh, const EncodeOptions& options);
+Expected<Done> refuse_defects(const MeshView& mesh, const EncodeOptions& options);
 
 }  // namespace clers::internal
 

@@ -9,9 +9,9 @@
 
 namespace clers::internal {
 
-std::vector<std::pair<std::uint32_t, std::uint32_t>> duplicate_faces(const Mesh& mesh) {
+std::vector<std::pair<std::uint32_t, std::uint32_t>> duplicate_faces(const MeshView& mesh) {
   const std::uint32_t faces = static_cast<std::uint32_t>(mesh.face_count());
-  std::vector<std::uint32_t> corners = mesh.corners;
+  std::vector<std::uint32_t> corners(mesh.corners.begin(), mesh.corners.end());
   const Cycles sorted(corners, mesh.face_sizes);
   for (std::uint32_t f = 0; f < faces; ++f)
     std::sort(corners.begin() + sorted.begin(f), corners.begin() + sorted.end(f));

@@ -8,6 +8,7 @@
 
 #include "codec/base/check.h"
 #include "codec/base/disjoint_sets.h"
+#include "codec/base/wide_corners.h"
 #include "codec/soup/duplicates.h"
 
 namespace clers::internal {
@@ -26,7 +27,7 @@ std::uint64_t count(DisjointSets& sets, std::size_t elements, Counts counts) {
 /// of the surface.
 class Measuring {
  public:
-  explicit Measuring(const Mesh& mesh) : mesh_(mesh), corners_(mesh.corners.size()) {}
+  explicit Measuring(const MeshView& mesh) : mesh_(mesh), corners_(mesh.corners.size()) {}
 
   Expected<MeshShape> run() {
     if (auto ok = lay_out(); !ok) return Failure{ok.error()};
@@ -66,9 +67,10 @@ class Measuring {
         static_cast<std::uint64_t>(std::count(several.begin(), several.end(), true));
     shape_.isolated_vertices =
         static_cast<std::uint64_t>(std::count(used.begin(), used.end(), false));
-    shape_.components = count(faces, faces_, [&](std::uint32_t f) { return !degenerate_[f]; });
+    shape_.surface.components =
+        count(faces, faces_, [&](std::uint32_t f) { return !degenerate_[f]; });
 
-    shape_.nonorientable_components = count(faces, faces_, [&](std::uint32_t f) {
+    shape_.surface.nonorientable_components = count(faces, faces_, [&](std::uint32_t f) {
       return sides_of_faces.find(2 * f) == sides_of_faces.find(2 * f + 1);
     });
 
@@ -81,7 +83,7 @@ class Measuring {
       curves.unite(from, to);
       on_boundary[from] = on_boundary[to] = true;
     }
-    shape_.boundary_curves =
+    shape_.surface.boundary_curves =
         count(curves, corners_, [&](std::uint32_t c) { return on_boundary[c]; });
 
     const std::int64_t regular_faces =
@@ -89,19 +91,19 @@ class Measuring {
     const std::int64_t chi =
         static_cast<std::int64_t>(vertices) - static_cast<std::int64_t>(edges) + regular_faces;
     // Euler-Poincaré (CAGD 2010, §2.2): chi = 2 (s - g) - b.
-    shape_.genus =
-        static_cast<std::uint64_t>((2 * static_cast<std::int64_t>(shape_.components) -
-                                    static_cast<std::int64_t>(shape_.boundary_curves) - chi) /
-                                   2);
+    const auto components = static_cast<std::int64_t>(shape_.surface.components),
+               curves_left = static_cast<std::int64_t>(shape_.surface.boundary_curves);
+    shape_.surface.genus = static_cast<std::uint64_t>((2 * components - curves_left - chi) / 2);
     return shape_;
   }
 
  private:
   /// Face and successor of every corner.
   Expected<Done> lay_out() {
-    for (const Attribute& a : mesh_.attributes)
+    for (const AttributeView a : mesh_.attributes)
       if (const std::string defect = kind_defect(a); !defect.empty())
-        return fail(ErrorCode::inconsistent_mesh, "attribute \"" + a.name + "\" has " + defect);
+        return fail(ErrorCode::inconsistent_mesh,
+                    "attribute \"" + std::string(a.name) + "\" has " + defect);
     faces_ = mesh_.face_count();
     shape_.vertices = mesh_.vertex_count;
     shape_.faces = faces_;
@@ -172,7 +174,7 @@ class Measuring {
     }
   }
 
-  const Mesh& mesh_;
+  const MeshView mesh_;
   std::size_t corners_;
   std::size_t faces_ = 0;
   MeshShape shape_;
@@ -192,8 +194,11 @@ std::uint64_t measuring_memory(std::uint64_t corners, std::uint64_t faces, std::
   return 2 * each * corners + bits + sorted + std::max(duplicates, surface);
 }
 
-Expected<MeshShape> shape_of(const Mesh& mesh) {
-  return Measuring(mesh).run();
+Expected<MeshShape> shape_of(const MeshView& mesh) {
+  std::vector<std::uint32_t> memory;
+  const auto wide = with_wide_corners(mesh, memory);
+  if (!wide) return Failure{wide.error()};
+  return Measuring(*wide).run();
 }
 
 }  // namespace clers::internal

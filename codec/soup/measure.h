@@ -7,13 +7,13 @@
 
 #include "codec/error.h"
 #include "codec/info.h"
-#include "codec/mesh.h"
+#include "codec/mesh_view.h"
 
 namespace clers::internal {
 
 /// The shape of any mesh. Errors: inconsistent_mesh, too_large. Throws std::bad_alloc and
 /// std::length_error.
-Expected<MeshShape> shape_of(const Mesh& mesh);
+Expected<MeshShape> shape_of(const MeshView& mesh);
 
 /// Bytes that shape_of takes at most; `sizes`: does the mesh have face sizes?
 std::uint64_t measuring_memory(std::uint64_t corners, std::uint64_t faces, std::uint64_t vertices,

@@ -130,7 +130,7 @@ class Cases {
       options.order = Order::keep;
       options.level = 9;
       add(std::string(m.name) + ", values, in pieces, order kept, level 9", mesh, options);
-      options.piece_faces = 0;
+      options.piece_faces.reset();
       options.level = 1;
       add(std::string(m.name) + ", values, order kept, level 1", mesh, options);
     }

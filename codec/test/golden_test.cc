@@ -51,42 +51,30 @@ class Fnv1a {
 };
 
 /// The figures of a mesh in the order of the API, metadata apart.
-void hash_figures(Fnv1a& hash, const MeshInfo& info) {
-  const MeshShape& s = info.shape;
-  for (const std::uint64_t n : {s.vertices,
-                                s.faces,
-                                s.triangles,
-                                s.components,
-                                s.boundary_curves,
-                                s.genus,
-                                s.nonmanifold_edges,
-                                s.nonmanifold_vertices,
-                                s.misoriented_edges,
-                                s.degenerate_faces,
-                                s.duplicate_faces,
-                                s.nonorientable_components,
-                                s.isolated_vertices,
-                                info.pieces,
-                                info.cuts.turned_faces,
-                                info.cuts.copied_vertices,
-                                info.cuts.repeated_faces,
-                                info.cuts.loose_faces,
-                                info.connectivity_bytes,
-                                info.polygon_bytes,
-                                info.stitching_bytes,
-                                info.order_bytes,
-                                info.position_bytes,
-                                info.attribute_bytes,
-                                info.metadata_bytes})
+void hash_figures(Fnv1a& hash, const MeshInfo& info, const CodingCounts& counts) {
+  hash.text(info.name);
+  for (const std::uint64_t n :
+       {info.vertices, info.faces, info.corners, std::uint64_t(info.triangles_only), info.pieces,
+        info.copied_vertices, info.repeated_faces, info.degenerate_faces, info.connectivity_bytes,
+        info.polygon_bytes, info.stitching_bytes, info.order_bytes, info.position_bytes,
+        info.attribute_bytes, info.metadata_bytes, counts.reversed_faces})
     hash.number(n);
-  for (const std::uint64_t n : info.clers) hash.number(n);
+  for (const std::uint64_t n : counts.symbols) hash.number(n);
   for (const AttributeInfo& a : info.attributes) {
     hash.text(a.name);
     for (const std::uint64_t n : {std::uint64_t(a.domain), std::uint64_t(a.scalar),
                                   std::uint64_t(a.components), a.count, a.bytes})
       hash.number(n);
   }
-  hash.text(info.name);
+}
+
+void hash_figures(Fnv1a& hash, const MeshShape& s) {
+  for (const std::uint64_t n :
+       {s.vertices, s.faces, s.triangles, s.isolated_vertices, s.nonmanifold_edges,
+        s.nonmanifold_vertices, s.misoriented_edges, s.degenerate_faces, s.duplicate_faces,
+        s.surface.components, s.surface.nonorientable_components, s.surface.boundary_curves,
+        s.surface.genus})
+    hash.number(n);
 }
 
 struct Hashes {
@@ -102,17 +90,21 @@ Hashes hashes_of(const Encoded& encoded) {
     permutations.numbers(p.faces);
     permutations.numbers(p.first_corners);
   }
-  for (const MeshInfo& m : encoded.report) hash_figures(figures, m);
-  const auto info = inspect(encoded.bytes);
-  EXPECT_TRUE(info.ok());
-  if (info) {
+  for (std::size_t i = 0; i < encoded.report.size(); ++i)
+    hash_figures(figures, encoded.report[i], encoded.counts[i]);
+  const auto found = inspect(encoded.bytes);
+  EXPECT_TRUE(found.ok());
+  if (found) {
+    const FileInfo& info = found->file;
     for (const std::uint64_t n :
-         {std::uint64_t(info->format_major), std::uint64_t(info->format_minor),
-          std::uint64_t(info->level), info->total_bytes, info->overhead_bytes})
+         {std::uint64_t(info.format_major), std::uint64_t(info.format_minor),
+          std::uint64_t(info.level), info.total_bytes, info.overhead_bytes})
       figures.number(n);
-    for (const MeshInfo& m : info->meshes) {
-      hash_figures(figures, m);
-      for (const MetadataEntry& e : m.metadata) figures.text(e.key), figures.text(e.value);
+    for (std::size_t i = 0; i < info.meshes.size(); ++i) {
+      hash_figures(figures, info.meshes[i], found->meshes[i].counts);
+      hash_figures(figures, found->meshes[i].shape);
+      for (const MetadataEntry& e : info.meshes[i].metadata)
+        figures.text(e.key), figures.text(e.value);
     }
   }
   return {file.hex(), permutations.hex(), figures.hex()};

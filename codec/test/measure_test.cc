@@ -30,9 +30,9 @@ TEST(Measure, KnownShapes) {
     for (const Mesh& m : {row.mesh, corpus::shuffle(row.mesh, 5)}) {
       auto s = measure(m);
       ASSERT_TRUE(s.ok());
-      EXPECT_EQ(s->components, row.components);
-      EXPECT_EQ(s->boundary_curves, row.curves);
-      EXPECT_EQ(s->genus, row.genus);
+      EXPECT_EQ(s->surface.components, row.components);
+      EXPECT_EQ(s->surface.boundary_curves, row.curves);
+      EXPECT_EQ(s->surface.genus, row.genus);
       EXPECT_EQ(s->nonmanifold_edges, row.edges);
       EXPECT_EQ(s->nonmanifold_vertices, row.vertices);
       EXPECT_EQ(s->misoriented_edges > 0, row.misoriented > 0);
@@ -52,8 +52,8 @@ TEST(Measure, PolygonsDegenerateFacesAndIsolatedVertices) {
   EXPECT_EQ(s->triangles, 2u + 1 + 3 + 1);
   EXPECT_EQ(s->degenerate_faces, 2u);
   EXPECT_EQ(s->isolated_vertices, 1u);
-  EXPECT_EQ(s->components, 1u);
-  EXPECT_EQ(s->boundary_curves, 1u);
+  EXPECT_EQ(s->surface.components, 1u);
+  EXPECT_EQ(s->surface.boundary_curves, 1u);
 
   m.corners.pop_back();
   EXPECT_FALSE(measure(m).ok());

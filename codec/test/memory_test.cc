@@ -17,6 +17,7 @@
 #include "codec/encode.h"
 #include "codec/inspect.h"
 #include "codec/test/attribute.h"
+#include "codec/test/decoding.h"
 #include "codec/test/file_builder.h"
 #include "corpus/generate.h"
 
@@ -119,30 +120,73 @@ struct NamedCall {
 std::vector<NamedCall> calls_on(std::span<const std::byte> bytes) {
   std::vector<NamedCall> calls = {
       {"decode", [=](const DecodeOptions& o) { return only_errors(decode(bytes, o)); }},
-      {"decode_pieces",
+      {"pieces",
        [=](const DecodeOptions& o) {
-         return decode_pieces(
-             bytes, [](Piece) {}, o);
+         return test::decode_pieces(
+             bytes, [](const Piece&) {}, o);
        }},
       {"decode_piece",
-       [=](const DecodeOptions& o) { return only_errors(decode_piece(bytes, 0, o)); }},
-      {"inspect", [=](const DecodeOptions& o) { return only_errors(inspect(bytes, o.limits)); }},
-      {"sizes", [=](const DecodeOptions& o) { return only_errors(sizes(bytes, o.limits)); }}};
-  Limits all;
-  all.memory = std::uint64_t(1) << 40;
-  const auto known = sizes(bytes, all);
-  if (!known || known->size() != 1 || (*known)[0].corners > 32 * MB) return calls;
-  const std::size_t n = (*known)[0].corners;
+       [=](const DecodeOptions& o) -> Expected<Done> {
+         const auto decoder = Decoder::open(bytes, o);
+         if (!decoder) return Failure{decoder.error()};
+         return only_errors(decoder->decode_piece(0));
+       }},
+      {"info",
+       [=](const DecodeOptions& o) -> Expected<Done> {
+         const auto decoder = Decoder::open(bytes, o);
+         if (!decoder) return Failure{decoder.error()};
+         return only_errors(decoder->info());
+       }},
+      {"inspect", [=](const DecodeOptions& o) { return only_errors(inspect(bytes, o.limits)); }}};
+  DecodeOptions all;
+  all.limits.memory = std::uint64_t(1) << 40;
+  const auto decoder = Decoder::open(bytes, all);
+  if (!decoder || decoder->mesh_count() != 1) return calls;
+  const auto info = decoder->info();
+  if (!info || info->meshes[0].corners > 32 * MB) return calls;
+  const std::size_t n = info->meshes[0].corners;
   const auto corners = std::make_shared<std::vector<std::uint32_t>>(n);
   const auto narrow = std::make_shared<std::vector<std::uint16_t>>(n);
-  const auto opposites = std::make_shared<std::vector<HalfEdge>>(n);
-  calls.push_back(
-      {"decode_into", [=](const DecodeOptions& o) { return decode_into(bytes, *corners, {}, o); }});
-  calls.push_back({"decode_into with opposites", [=](const DecodeOptions& o) {
-                     return decode_into(bytes, *corners, *opposites, o);
+  const auto opposites = std::make_shared<std::vector<std::uint32_t>>(n);
+  const auto sizes = std::make_shared<std::vector<std::uint32_t>>(info->meshes[0].faces);
+  const auto into = [&](const char* name, MeshTarget target) {
+    // Keeps the memory alive.
+    calls.push_back({name, [=](const DecodeOptions& o) {
+                       (void)corners, (void)narrow, (void)opposites, (void)sizes;
+                       return test::decode_into(bytes, target, o);
+                     }});
+  };
+  into("decode_into", {.corners = *corners});
+  into("decode_into with opposites", {.corners = *corners, .opposites = *opposites});
+  into("decode_into 16 bits", {.corners_16 = *narrow, .opposites = *opposites});
+  into("decode_into, polygons",
+       {.corners_16 = *narrow, .face_sizes = *sizes, .opposites = *opposites});
+  into("opposites alone", {.face_sizes = *sizes, .opposites = *opposites});
+  const auto& attributes = info->meshes[0].attributes;
+  std::uint64_t bytes_of_values = 0;
+  for (const AttributeInfo& a : attributes) bytes_of_values += 2 * a.count * a.value_size();
+  if (bytes_of_values > 32 * MB) return calls;
+  struct Values {
+    std::vector<AttributeInfo> attributes;
+    std::vector<std::vector<std::byte>> data;
+    std::vector<AttributeTarget> targets;
+  };
+  const auto values = std::make_shared<Values>();
+  values->attributes = attributes;
+  for (const AttributeInfo& a : values->attributes) {
+    auto& data = values->data.emplace_back(2 * a.count * a.value_size());
+    values->targets.push_back({a.name, a.domain, a.scalar, a.components, data, 2 * a.value_size()});
+  }
+  calls.push_back({"decode_into, all", [=](const DecodeOptions& o) {
+                     return test::decode_into(bytes,
+                                              {.corners = *corners,
+                                               .face_sizes = *sizes,
+                                               .opposites = *opposites,
+                                               .attributes = values->targets},
+                                              o);
                    }});
-  calls.push_back({"decode_into 16 bits", [=](const DecodeOptions& o) {
-                     return decode_into(bytes, *narrow, *opposites, o);
+  calls.push_back({"decode_into, values", [=](const DecodeOptions& o) {
+                     return test::decode_into(bytes, {.attributes = values->targets}, o);
                    }});
   return calls;
 }
@@ -413,6 +457,51 @@ TEST(Memory, HonestFiles) {
       options.piece_faces = 2000;
       expect_fair({one[0], one[0]}, options);
     }
+}
+
+/// What encoding takes besides the mesh, results included.
+template <class Input>
+std::uint64_t encoding_peak(const Input& input, const EncodeOptions& options) {
+  const std::int64_t before = held;
+  peak = before;
+  const auto coded = encode(input, options);
+  EXPECT_TRUE(coded.ok());
+  return static_cast<std::uint64_t>(peak - before);
+}
+
+/// Views are read where they are: values with 100 bytes between them, 1.5 MB apart from 25 MB,
+/// take no more memory than a Mesh, and the same for one Mesh as for its view. Only 16-bit corners
+/// are copied.
+TEST(Memory, ViewsAreEncodedWithoutACopy) {
+  struct Vertex {
+    float position[3];
+    char others[200];
+  };
+  Mesh mesh = corpus::grid(250, 250);
+  ASSERT_LE(mesh.vertex_count, 0x10000u);
+  std::vector<Vertex> vertices(mesh.vertex_count);
+  std::vector<float> packed;
+  for (std::uint32_t v = 0; v < mesh.vertex_count; ++v)
+    for (unsigned i = 0; i < 3; ++i)
+      packed.push_back(vertices[v].position[i] = static_cast<float>((i == 0 ? v : v * v) % 1000));
+  mesh.attributes = {test::attribute("position", Domain::vertex, Scalar::float32, 3, packed)};
+  const AttributeView position = attribute_view("position", vertices, &Vertex::position);
+  MeshView view = mesh;
+  view.attributes = std::span(&position, 1);
+  const std::vector<std::uint16_t> corners(mesh.corners.begin(), mesh.corners.end());
+  MeshView narrow = view;
+  narrow.corners = {};
+  narrow.corners_16 = corners;
+  for (const std::optional<std::uint32_t> faces : {std::optional<std::uint32_t>(), {20000}}) {
+    EncodeOptions options;
+    options.piece_faces = faces;
+    const std::uint64_t as_mesh = encoding_peak(mesh, options),
+                        as_view = encoding_peak(view, options),
+                        as_narrow = encoding_peak(narrow, options);
+    EXPECT_LE(as_view, as_mesh + 1024);
+    EXPECT_LE(as_narrow, as_mesh + 4 * corners.size() + 1024);
+    EXPECT_GE(as_narrow, as_mesh + 4 * corners.size() - 1024);
+  }
 }
 
 }  // namespace

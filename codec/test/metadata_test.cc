@@ -8,9 +8,12 @@
 #include "codec/encode.h"
 #include "codec/file/container.h"
 #include "codec/inspect.h"
+#include "codec/test/decoding.h"
 
 namespace clers::internal {
 namespace {
+
+using test::decode_pieces;
 
 Mesh tetrahedron(std::vector<MetadataEntry> metadata) {
   Mesh mesh;
@@ -86,15 +89,15 @@ TEST(Metadata, BelongToTheMeshAndToTheFirstPiece) {
   ASSERT_TRUE(back);
   EXPECT_TRUE(same(back->front().metadata, grid.metadata));
   std::size_t pieces = 0;
-  ASSERT_TRUE(decode_pieces(bytes, [&](Piece piece) {
+  ASSERT_TRUE(decode_pieces(bytes, [&](const Piece& piece) {
     ++pieces;
     EXPECT_EQ(piece.mesh.metadata.size(), piece.index == 0 ? 2u : 0u);
   }));
   EXPECT_GT(pieces, 1u);
   const auto info = inspect(bytes);
   ASSERT_TRUE(info);
-  EXPECT_GT(info->meshes[0].metadata_bytes, 0u);
-  EXPECT_TRUE(same(info->meshes[0].metadata, grid.metadata));
+  EXPECT_GT(info->file.meshes[0].metadata_bytes, 0u);
+  EXPECT_TRUE(same(info->file.meshes[0].metadata, grid.metadata));
 }
 
 TEST(Metadata, EncodingRefusesKeysThatAreNone) {

@@ -15,11 +15,15 @@
 #include "codec/pieces/partition.h"
 #include "codec/pieces/piece_cutter.h"
 #include "codec/pieces/seams.h"
+#include "codec/test/decoding.h"
 #include "codec/test/round_trip.h"
 #include "corpus/generate.h"
 
 namespace clers::internal {
 namespace {
+
+using test::decode_into;
+using test::decode_pieces;
 
 Attribute numbers(std::string name, Domain domain, std::size_t count) {
   Attribute a{std::move(name), domain, Scalar::uint16, 1, {}};
@@ -192,21 +196,20 @@ TEST(Pieces, DecodeAlone) {
   ASSERT_TRUE(coded.ok());
   const auto whole = decode(coded->bytes);
   ASSERT_TRUE(whole.ok());
-  const auto sizes_of = sizes(coded->bytes);
-  ASSERT_TRUE(sizes_of.ok());
+  const auto decoder = Decoder::open(coded->bytes);
+  ASSERT_TRUE(decoder.ok());
+  const auto info = decoder->info();
+  ASSERT_TRUE(info.ok());
   std::size_t count = 0, corners = 0, mesh_index = 0;
-  const auto ok = decode_pieces(coded->bytes, [&](Piece piece) {
+  const auto ok = decode_pieces(coded->bytes, [&](const Piece& piece) {
     SCOPED_TRACE("piece " + std::to_string(count));
-    const auto alone = decode_piece(coded->bytes, count++);
-    ASSERT_TRUE(alone.ok());
-    EXPECT_EQ(alone->mesh.corners, piece.mesh.corners);
-    EXPECT_EQ(alone->seam.size(), piece.seam.size());
+    ++count;
     ASSERT_LT(piece.mesh_index, all.size());
     if (piece.mesh_index != mesh_index || piece.index == 0) corners = 0;
     mesh_index = piece.mesh_index;
     const Mesh &mesh = (*whole)[mesh_index], &part = piece.mesh;
     EXPECT_EQ(part.name, mesh.name);
-    EXPECT_EQ((*sizes_of)[mesh_index].pieces, piece.count);
+    EXPECT_EQ(info->meshes[mesh_index].pieces, piece.count);
 
     std::vector<std::uint32_t> number(part.vertex_count);
     std::uint32_t next = piece.first_vertex;
@@ -235,7 +238,8 @@ TEST(Pieces, DecodeAlone) {
   });
   ASSERT_TRUE(ok.ok()) << describe(ok.error());
   EXPECT_GT(count, 50u);
-  EXPECT_EQ(decode_piece(coded->bytes, count).error().code, ErrorCode::bad_option);
+  EXPECT_EQ(decoder->piece_count(), count);
+  EXPECT_EQ(decoder->decode_piece(count).error().code, ErrorCode::bad_option);
 }
 
 /// Every prefix is refused, and every altered byte; with right checksums too it is at least decoded
@@ -359,25 +363,21 @@ TEST(DecodeInto, IsWhatDecodeGives) {
         auto coded = encode({&mesh, 1}, in_pieces(faces, order));
         ASSERT_TRUE(coded.ok());
         const auto whole = decode(coded->bytes);
-        const auto size = sizes(coded->bytes);
-        ASSERT_TRUE(whole.ok() && size.ok());
+        ASSERT_TRUE(whole.ok());
         const Mesh& expected = whole->front();
-        ASSERT_EQ(size->front().corners, expected.corners.size());
-        ASSERT_EQ(size->front().vertices, expected.vertex_count);
-        ASSERT_EQ(size->front().faces, expected.face_count());
         std::vector<std::uint32_t> wide(expected.corners.size());
         std::vector<std::uint16_t> narrow(wide.size());
-        std::vector<HalfEdge> opposites(wide.size(), HalfEdge(7));
+        std::vector<std::uint32_t> opposites(wide.size(), 7);
         DecodeOptions two;
         two.threads = 2;
-        const auto ok = decode_into(coded->bytes, wide, opposites, two);
+        const auto ok = decode_into(coded->bytes, {.corners = wide, .opposites = opposites}, two);
         ASSERT_EQ(ok.ok(), expected.triangles_only());
         if (!ok) {
           EXPECT_EQ(ok.error().code, ErrorCode::bad_option);
           continue;
         }
         EXPECT_EQ(wide, expected.corners);
-        ASSERT_TRUE(decode_into(coded->bytes, narrow).ok());
+        ASSERT_TRUE(decode_into(coded->bytes, {.corners_16 = narrow}).ok());
         EXPECT_TRUE(std::equal(narrow.begin(), narrow.end(), wide.begin()));
         if (std::string(name) == "pair") continue;  // its edges are not told apart by their ends
         std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> sides;
@@ -387,10 +387,10 @@ TEST(DecodeInto, IsWhatDecodeGives) {
         for (const auto& [ends, all] : sides)
           for (std::size_t i = 0; i < all.size(); ++i) {
             const bool has = all.size() == 2 && wide[all[0]] != wide[all[1]];
-            EXPECT_EQ(opposites[all[i]], has ? HalfEdge(all[1 - i]) : HalfEdge());
+            EXPECT_EQ(opposites[all[i]], has ? all[1 - i] : MeshTarget::no_opposite);
           }
         wide.push_back(0);
-        EXPECT_EQ(decode_into(coded->bytes, wide).error().code, ErrorCode::bad_option);
+        EXPECT_EQ(decode_into(coded->bytes, {.corners = wide}).error().code, ErrorCode::bad_option);
       }
 }
 
@@ -474,8 +474,8 @@ TEST(Partition, FollowsTheSurface) {
       vertices += piece.vertex_count;
       const auto shape = measure(piece);
       ASSERT_TRUE(shape.ok());
-      EXPECT_EQ(shape->components, 1u);
-      EXPECT_EQ(shape->boundary_curves, 1u);
+      EXPECT_EQ(shape->surface.components, 1u);
+      EXPECT_EQ(shape->surface.boundary_curves, 1u);
     }
     EXPECT_LE(vertices - m.vertex_count, 2 * 7 * (width + 1));
   }
@@ -592,14 +592,14 @@ TEST(Inspect, CountsPieces) {
   ASSERT_TRUE(info.ok());
   auto shape = measure(mesh);
   ASSERT_TRUE(shape.ok());
-  const MeshInfo &a = info->meshes[0], &b = coded->report[0];
+  const MeshInfo &a = info->file.meshes[0], &b = coded->report[0];
   EXPECT_EQ(a.pieces, 8u);
   EXPECT_EQ(b.pieces, 8u);
-  EXPECT_EQ(a.shape.genus, shape->genus);
-  EXPECT_EQ(a.shape.boundary_curves, shape->boundary_curves);
-  EXPECT_EQ(a.shape.vertices, b.shape.vertices);
-  EXPECT_EQ(a.shape.triangles, b.shape.triangles);
-  EXPECT_EQ(a.clers, b.clers);
+  EXPECT_EQ(info->meshes[0].shape.surface.genus, shape->surface.genus);
+  EXPECT_EQ(info->meshes[0].shape.surface.boundary_curves, shape->surface.boundary_curves);
+  EXPECT_EQ(a.vertices, b.vertices);
+  EXPECT_EQ(a.corners, b.corners);
+  EXPECT_EQ(info->meshes[0].counts.symbols, coded->counts[0].symbols);
   EXPECT_EQ(a.connectivity_bytes, b.connectivity_bytes);
   EXPECT_EQ(a.position_bytes, b.position_bytes);
   ASSERT_EQ(a.attributes.size(), b.attributes.size());
@@ -607,8 +607,8 @@ TEST(Inspect, CountsPieces) {
     EXPECT_EQ(a.attributes[i].count, b.attributes[i].count);
     EXPECT_EQ(a.attributes[i].bytes, b.attributes[i].bytes);
   }
-  EXPECT_EQ(info->overhead_bytes + a.connectivity_bytes + a.position_bytes + a.attribute_bytes,
-            info->total_bytes);
+  EXPECT_EQ(info->file.overhead_bytes + a.connectivity_bytes + a.position_bytes + a.attribute_bytes,
+            info->file.total_bytes);
 }
 
 }  // namespace

@@ -11,11 +11,14 @@
 #include "codec/encode.h"
 #include "codec/inspect.h"
 #include "codec/test/attribute.h"
+#include "codec/test/decoding.h"
 #include "codec/test/file_builder.h"
 #include "corpus/generate.h"
 
 namespace clers::internal {
 namespace {
+
+using test::decode_pieces;
 
 using test::FileBuilder;
 using test::Payload;
@@ -29,7 +32,7 @@ void expect_invalid(const Bytes& bytes, const char* what) {
   const auto info = inspect(bytes);
   ASSERT_FALSE(info.ok());
   EXPECT_EQ(describe(info.error()), what);
-  const auto pieces = decode_pieces(bytes, [](Piece) {});
+  const auto pieces = decode_pieces(bytes, [](const Piece&) {});
   ASSERT_FALSE(pieces.ok());
   EXPECT_EQ(describe(pieces.error()), what);
 }
@@ -177,21 +180,21 @@ TEST(Encode, OptionsOutOfRangeAreRefused) {
     EncodeOptions options;
     options.order = static_cast<Order>(number);
     EXPECT_EQ(code(options), ErrorCode::bad_option);
-    for (OnOddity EncodeOptions::*on :
+    for (DefectPolicy EncodeOptions::*on :
          {&EncodeOptions::on_nonmanifold, &EncodeOptions::on_degenerate,
           &EncodeOptions::on_duplicate}) {
       options = {};
-      options.*on = static_cast<OnOddity>(number);
+      options.*on = static_cast<DefectPolicy>(number);
       EXPECT_EQ(code(options), ErrorCode::bad_option);
     }
   }
 }
 
-TEST(Decode, NoFunctionForPieces) {
+TEST(Encode, PiecesOfNoFacesAreRefused) {
   const Mesh mesh = corpus::tetrahedron();
-  const auto coded = encode({&mesh, 1});
-  ASSERT_TRUE(coded.ok());
-  EXPECT_EQ(decode_pieces(coded->bytes, {}).error().code, ErrorCode::bad_option);
+  EncodeOptions options;
+  options.piece_faces = 0;
+  EXPECT_EQ(encode(mesh, options).error().code, ErrorCode::bad_option);
 }
 
 TEST(Threads, AnyNumberMayBeAskedFor) {

@@ -18,7 +18,7 @@ _clers() {
     --order) COMPREPLY=($(compgen -W "free keep" -- "$cur")) && return ;;
     --pieces) COMPREPLY=($(compgen -W "never" -- "$cur")) && return ;;
     --on-nonmanifold | --on-degenerate | --on-duplicate)
-      COMPREPLY=($(compgen -W "keep error" -- "$cur")) && return ;;
+      COMPREPLY=($(compgen -W "keep reject" -- "$cur")) && return ;;
     --scheme) COMPREPLY=($(compgen -W "sqrt3 loop 4-8" -- "$cur")) && return ;;
     --piece | --times | -T | --threads | --max-*) return ;;
     -o | --output) _filedir && return ;;

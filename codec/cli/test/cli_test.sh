@@ -69,7 +69,7 @@ check "the pieces are the whole" test $faces = 200
 run decode --piece 4 pieces-1.clers -o piece.obj -f; ends "no such piece" 2 "piece 4, there are 4"
 run encode --pieces never grid.obj -o never.clers; ends "encode --pieces never" 0
 check "never: as without" cmp -s never.clers grid.clers
-run encode --pieces 0 grid.obj -o never.clers -f; ends "encode --pieces 0" 0
+run encode --pieces 0 grid.obj -o never.clers -f; ends "encode --pieces 0" 2 "a number of faces or never"
 check "0: as without" cmp -s never.clers grid.clers
 for wrong in -1 x 5x; do
   run encode --pieces $wrong grid.obj -o wrong.clers; ends "--pieces $wrong" 2 "--pieces"
@@ -166,10 +166,10 @@ run decode missing.clers -o x.obj; ends "a missing .clers file" 3 "missing.clers
 run encode in -o x.clers --from obj; ends "a directory as input" 3 "in: is a directory"
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\n\nf 1 2 9\n' >range.obj
 run encode range.obj -o x2.clers; ends "an index out of range" 3 "range.obj: line 5: "
-run encode --on-nonmanifold error fan.obj -o x2.clers
+run encode --on-nonmanifold reject fan.obj -o x2.clers
 ends "a non-manifold edge" 3 "fan.obj: face 0: .*edge of vertices 0 and 1 "
-run encode --on-degenerate error odd.obj -o x2.clers; ends "a degenerate face" 3 "odd.obj: face 2: "
-run encode --on-duplicate error odd.obj -o x2.clers; ends "a duplicate face" 3 "odd.obj: face 1: "
+run encode --on-degenerate reject odd.obj -o x2.clers; ends "a degenerate face" 3 "odd.obj: face 2: "
+run encode --on-duplicate reject odd.obj -o x2.clers; ends "a duplicate face" 3 "odd.obj: face 1: "
 run check --json fan.obj
 check "check counts it" grep -q '"nonmanifold_edges": 1,' out
 run decode grid.obj -o x.obj; ends "decode of a mesh file" 3 "grid.obj: is no .clers file but a mesh file"
@@ -246,7 +246,7 @@ check "killed: nothing else" test "$(ls -A killed)" = old.clers
 run info --json grid.clers; ends "info --json" 0
 for key in vertices faces triangles components boundary_curves genus nonmanifold_edges \
   nonmanifold_vertices connectivity_bytes position_bytes attribute_bytes metadata_bytes overhead_bytes total_bytes \
-  connectivity_bits_per_triangle clers; do
+  connectivity_bits_per_triangle symbols; do
   check "info --json has $key" grep -q "^  \"$key\": " out
 done
 number() { sed -n "s/^  \"$1\": \([0-9.]*\),\{0,1\}$/\1/p" out; }

@@ -1,0 +1,88 @@
+#include "codec/base/check.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "codec/base/faces.h"
+#include "codec/base/utf8.h"
+
+namespace clers::internal {
+namespace {
+
+std::size_t face_of_corner(const MeshView& mesh, std::size_t h) {
+  if (mesh.triangles_only()) return h / 3;
+  std::size_t f = 0;
+  while (h >= mesh.face_sizes[f]) h -= mesh.face_sizes[f++];
+  return f;
+}
+
+}  // namespace
+
+std::string kind_defect(const AttributeView& a) {
+  const auto out_of_range = [](const char* what, unsigned value, unsigned first, unsigned last) {
+    return std::string(what) + " " + std::to_string(value) + ", expected " + std::to_string(first) +
+           " to " + std::to_string(last);
+  };
+  const unsigned domain = static_cast<unsigned>(a.domain), scalar = static_cast<unsigned>(a.scalar);
+  if (domain >= domain_count) return out_of_range("domain", domain, 0, domain_count - 1);
+  if (scalar >= scalar_count) return out_of_range("scalar", scalar, 0, scalar_count - 1);
+  if (a.components == 0) return "0 components, expected 1 to 255";
+  return {};
+}
+
+bool holds_values(std::uint64_t bytes, std::uint64_t count, std::uint64_t size,
+                  std::uint64_t stride) {
+  if (count == 0) return bytes == 0;
+  return bytes >= size && (bytes - size) / stride == count - 1 &&
+         (bytes - size) % stride <= stride - size;
+}
+
+Expected<Done> check_attribute(const AttributeView& a, std::size_t count) {
+  const auto refuse = [](std::string what) {
+    return fail(ErrorCode::inconsistent_mesh, std::move(what));
+  };
+  if (!is_utf8(a.name)) return refuse("an attribute's name is not UTF-8");
+  if (a.name.size() > 255) return refuse("an attribute's name is longer than 255 bytes");
+  const std::string attribute = "attribute \"" + std::string(a.name) + "\" has ";
+  if (const std::string defect = kind_defect(a); !defect.empty()) return refuse(attribute + defect);
+  const std::size_t size = a.value_size(), stride = a.step();
+  if (stride < size)
+    return refuse(attribute + "values of " + std::to_string(size) + " bytes, " +
+                  std::to_string(stride) + " bytes apart");
+  if (!holds_values(a.data.size(), count, size, stride))
+    return refuse(attribute + std::to_string(a.data.size()) + " bytes of values, expected " +
+                  std::to_string(count) + " times " + std::to_string(stride));
+  return Done{};
+}
+
+Expected<Done> check_arrays(const MeshView& mesh) {
+  if (mesh.triangles_only()) {
+    if (mesh.corners.size() % 3 != 0)
+      return fail(ErrorCode::inconsistent_mesh,
+                  std::to_string(mesh.corners.size()) + " corners, expected a multiple of 3");
+  } else {
+    std::uint64_t corners = 0;
+    for (const std::uint32_t size : mesh.face_sizes) corners += size;
+    if (corners != mesh.corners.size())
+      return fail(ErrorCode::inconsistent_mesh,
+                  "faces of " + std::to_string(corners) + " corners in all, but " +
+                      std::to_string(mesh.corners.size()) + " corners are given");
+  }
+  if (mesh.corners.size() > max_corners || mesh.face_count() > max_corners)
+    return fail(ErrorCode::too_large, std::to_string(mesh.face_count()) + " faces of " +
+                                          std::to_string(mesh.corners.size()) +
+                                          " corners, expected at most " +
+                                          std::to_string(max_corners));
+  std::uint32_t largest = 0;
+  for (const std::uint32_t v : mesh.corners) largest = std::max(largest, v);
+  if (!mesh.corners.empty() && largest >= mesh.vertex_count) {
+    std::size_t h = 0;
+    while (mesh.corners[h] < mesh.vertex_count) ++h;
+    return fail(ErrorCode::inconsistent_mesh, Place::face, face_of_corner(mesh, h),
+                "has vertex " + std::to_string(mesh.corners[h]) + ", expected one below " +
+                    std::to_string(mesh.vertex_count));
+  }
+  return Done{};
+}
+
+}  // namespace clers::internal

@@ -1,0 +1,105 @@
+#include "codec/file/open_file.h"
+
+#include <string>
+#include <utility>
+
+#include "codec/file/container.h"
+#include "codec/file/metadata.h"
+
+namespace clers::internal {
+namespace {
+
+/// What the attributes of a piece cost; those of all pieces are the same ones.
+void add_attributes(const PieceSections& piece, MeshInfo& mesh) {
+  const bool first = mesh.attributes.empty();
+  bool position_seen = false;
+  if (first) mesh.attributes.reserve(piece.attributes.size());
+  for (std::size_t i = 0; i < piece.attributes.size(); ++i) {
+    const PieceSections::AttributeSection& a = piece.attributes[i];
+    const Attribute& what = a.header.attribute;
+    if (first)
+      mesh.attributes.push_back({what.name, what.domain, what.scalar, what.components, 0, 0});
+    mesh.attributes[i].count += a.count - (what.domain == Domain::vertex ? piece.seam.shared : 0);
+    mesh.attributes[i].bytes += a.bytes.size();
+    const bool position =
+        !position_seen && what.domain == Domain::vertex && what.name == position_name;
+    position_seen |= position;
+    (position ? mesh.position_bytes : mesh.attribute_bytes) += a.bytes.size();
+  }
+}
+
+Expected<MeshInfo> info_of(const MeshSections& s, bool with_metadata) {
+  MeshInfo mesh;
+  mesh.name = s.name;
+  mesh.vertices = s.vertices;
+  mesh.faces = s.faces;
+  mesh.corners = s.corners;
+  mesh.triangles_only = !s.may_have_sizes();
+  mesh.pieces = s.pieces.size();
+  mesh.order_bytes = mesh.connectivity_bytes = s.order.bytes.size();
+  for (const PieceSections& piece : s.pieces) {
+    mesh.copied_vertices += piece.copies.copies;
+    mesh.repeated_faces += piece.repeats.faces;
+    mesh.degenerate_faces += piece.folded.faces + piece.degenerate.faces;
+    mesh.connectivity_bytes += piece.payload_size + piece.seam_size;
+    mesh.polygon_bytes += piece.polygons.stream.bytes.size();
+    mesh.stitching_bytes += piece.reversed.stream.bytes.size() + piece.copies.stream.bytes.size() +
+                            piece.repeats.stream.bytes.size() + piece.folded.stream.bytes.size() +
+                            piece.degenerate.stream.bytes.size() + piece.seam_size;
+    add_attributes(piece, mesh);
+  }
+  if (s.metadata) mesh.metadata_bytes = s.metadata->payload_size;
+  if (s.metadata && with_metadata) {
+    auto metadata = decode_metadata(*s.metadata);
+    if (!metadata) return Failure{metadata.error()};
+    mesh.metadata = std::move(*metadata);
+  }
+  return mesh;
+}
+
+}  // namespace
+
+Expected<OpenFile> open_file(std::span<const std::byte> bytes, const Limits& limits) {
+  OpenFile result{{}, 0, 0, bytes.size(), Budget(limits, bytes.size())};
+  ContainerReader file(bytes);
+  auto meshes = read_meshes(file, limits, result.budget);
+  if (!meshes) return Failure{meshes.error()};
+  result.meshes = std::move(*meshes);
+  result.minor = file.minor();
+  result.level = file.level();
+  return result;
+}
+
+std::uint64_t info_memory(const OpenFile& file) {
+  std::uint64_t memory = 0;
+  for (const MeshSections& mesh : file.meshes) {
+    memory += sizeof(MeshInfo);
+    for (const PieceSections::AttributeSection& a : mesh.pieces[0].attributes)
+      memory += sizeof(AttributeInfo) + a.header.attribute.name.size();
+  }
+  return memory;
+}
+
+Expected<FileInfo> info_of(const OpenFile& file, bool metadata) {
+  FileInfo info;
+  info.format_major = format_major;
+  info.format_minor = file.minor;
+  info.level = file.level;
+  info.total_bytes = info.overhead_bytes = file.size;
+  info.meshes.reserve(file.meshes.size());
+  for (std::size_t i = 0; i < file.meshes.size(); ++i) {
+    auto mesh = info_of(file.meshes[i], metadata);
+    if (!mesh) return in_mesh(mesh.error(), i, file.meshes.size());
+    info.overhead_bytes -= mesh->connectivity_bytes + mesh->position_bytes + mesh->attribute_bytes +
+                           mesh->metadata_bytes;
+    info.meshes.push_back(std::move(*mesh));
+  }
+  return info;
+}
+
+Failure<Error> in_mesh(Error error, std::size_t mesh, std::size_t meshes) {
+  if (meshes > 1) error.what += " (mesh " + std::to_string(mesh) + ")";
+  return {std::move(error)};
+}
+
+}  // namespace clers::internal
