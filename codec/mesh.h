@@ -7,30 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "codec/scalar.h"
+
 namespace clers {
 
 /// What an attribute has one value for.
 enum class Domain : std::uint8_t { vertex = 0, corner = 1, face = 2 };
 
-/// How one component of a value is stored. The numbers are the file format's.
-enum class Scalar : std::uint8_t {
-  int8 = 0,
-  uint8 = 1,
-  int16 = 2,
-  uint16 = 3,
-  int32 = 4,
-  uint32 = 5,
-  int64 = 6,
-  uint64 = 7,
-  float32 = 8,
-  float64 = 9,
-};
-inline constexpr unsigned scalar_count = 10;
-
-/// Size in bytes of a scalar.
-constexpr std::size_t size_of(Scalar s) {
-  constexpr std::uint8_t bytes[scalar_count] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
-  return bytes[static_cast<unsigned>(s)];
+/// "vertex", "corner" or "face".
+constexpr const char* name(Domain domain) {
+  return domain == Domain::vertex ? "vertex" : domain == Domain::corner ? "corner" : "face";
 }
 
 /// Named values, one tuple of `components` scalars for each vertex, corner or face, in their order,

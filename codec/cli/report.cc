@@ -104,17 +104,6 @@ void put(Json& json, const MeshInfo& m) {
     json["clers"][std::string(1, letters[i])] = m.clers[i];
 }
 
-const char* name(Domain domain) {
-  return domain == Domain::vertex ? "vertex" : domain == Domain::corner ? "corner" : "face";
-}
-
-const char* name(Scalar scalar) {
-  static constexpr const char* names[scalar_count] = {"int8",    "uint8",  "int16", "uint16",
-                                                      "int32",   "uint32", "int64", "uint64",
-                                                      "float32", "float64"};
-  return names[static_cast<unsigned>(scalar)];
-}
-
 /// Names come from files: bytes that are no UTF-8 are replaced rather than refused.
 std::string dump(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);

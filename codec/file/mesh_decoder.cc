@@ -1,7 +1,9 @@
 #include "codec/file/mesh_decoder.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -78,8 +80,9 @@ Expected<std::vector<std::uint32_t>> decode_sizes(const PieceSections& sections,
   return sizes;
 }
 
-/// Makes vertices of the mesh of those of the surface.
-Expected<Done> stitch(const PieceSections& sections, std::span<std::uint32_t> triangles) {
+/// Makes vertices of the mesh of those of the surface, in `introduced_by` too where that is wanted.
+Expected<Done> decode_stitches(const PieceSections& sections, std::span<std::uint32_t> triangles,
+                               std::vector<std::uint32_t>& introduced_by) {
   rans::Decoder in(sections.stitches.bytes);
   DecodeFrom coder(in);
   std::vector<std::uint32_t> classes(sections.connectivity.vertices);
@@ -90,7 +93,7 @@ Expected<Done> stitch(const PieceSections& sections, std::span<std::uint32_t> tr
                                          std::to_string(sections.copies) + " copies");
   if (auto ok = finished(in, sections.stitches, "the copies"); !ok) return ok;
   number_classes(classes);
-  for (std::uint32_t& v : triangles) v = classes[v];
+  stitch(classes, triangles, introduced_by);
   return Done{};
 }
 
@@ -201,16 +204,19 @@ void reorder(Attribute& a, std::size_t values, Source source) {
     std::memcpy(a.data.data() + i * stride, from.data() + source(i) * stride, stride);
 }
 
-/// A piece without attributes, and the triangles that those are predicted along.
+/// A piece without attributes, and the surface that those are predicted along.
 struct DecodedFaces {
   Mesh mesh;
-  std::size_t surface_corners = 0;       ///< so many of mesh.corners are those triangles
-  std::vector<std::uint32_t> triangles;  ///< or, with polygons, these are
+  std::size_t surface_corners = 0;           ///< so many of mesh.corners are its triangles
+  std::vector<std::uint32_t> triangles;      ///< or, with polygons, these are
+  std::vector<std::uint32_t> introduced_by;  ///< where it is wanted
   std::vector<ReversedRun> turned;
   ConnectivityCounts counts;
 
-  std::span<const std::uint32_t> predicted_along() const {
-    return triangles.empty() ? std::span(mesh.corners).first(surface_corners) : triangles;
+  CodedSurface surface() const {
+    return {triangles.empty() ? std::span(mesh.corners).first(surface_corners) : triangles,
+            {},
+            introduced_by};
   }
 };
 
@@ -219,13 +225,15 @@ struct DecodedSurface {
   ConnectivityCounts counts;
   std::vector<ReversedRun> turned;
   std::vector<std::uint32_t> sizes;  ///< of polygons, where there are any
+  std::vector<std::uint32_t> introduced_by;
 };
 Expected<DecodedSurface> decode_surface(const PieceSections& sections,
                                         std::span<std::uint32_t> triangles,
-                                        std::span<HalfEdge> twins = {}) {
+                                        std::span<HalfEdge> twins, bool with_introduced) {
   DecodedSurface result;
+  if (with_introduced) result.introduced_by.resize(sections.connectivity.vertices);
   auto counts = decode_connectivity(sections.connectivity_bytes, sections.connectivity_at,
-                                    sections.connectivity, triangles, twins);
+                                    sections.connectivity, triangles, twins, result.introduced_by);
   if (!counts) return Failure{counts.error()};
   result.counts = *counts;
   if (sections.features & feature::reversed) {
@@ -239,7 +247,8 @@ Expected<DecodedSurface> decode_surface(const PieceSections& sections,
     result.sizes = std::move(*sizes);
   }
   if (sections.features & feature::copies)
-    if (auto ok = stitch(sections, triangles); !ok) return Failure{ok.error()};
+    if (auto ok = decode_stitches(sections, triangles, result.introduced_by); !ok)
+      return Failure{ok.error()};
   return result;
 }
 
@@ -254,7 +263,14 @@ void make_polygons(std::span<const std::uint32_t> triangles, std::span<const std
   }
 }
 
-Expected<DecodedFaces> decode_faces(const PieceSections& sections) {
+/// Whether some values are predicted along the surface.
+bool predicts_along_surface(const PieceSections& sections, Values values) {
+  return values == Values::decode &&
+         std::any_of(sections.attributes.begin(), sections.attributes.end(),
+                     [](const auto& a) { return a.header.predictor == Predictor::parallelogram; });
+}
+
+Expected<DecodedFaces> decode_faces(const PieceSections& sections, bool with_introduced) {
   DecodedFaces result;
   Mesh& mesh = result.mesh;
   mesh.vertex_count = static_cast<std::uint32_t>(sections.vertices);
@@ -262,6 +278,12 @@ Expected<DecodedFaces> decode_faces(const PieceSections& sections) {
     if (auto ok = decode_plain(sections, mesh); !ok) return Failure{ok.error()};
     result.surface_corners = mesh.corners.size();
     if (!mesh.triangles_only()) result.triangles = fan_triangles(mesh.corners, mesh.face_sizes);
+    if (with_introduced) {
+      const auto along = result.surface().corners;
+      const auto last = std::max_element(along.begin(), along.end());
+      result.introduced_by.resize(last == along.end() ? 0 : *last + std::size_t(1));
+      find_introducing(along, result.introduced_by);
+    }
     return result;
   }
   const bool polygons = sections.features & feature::polygons;
@@ -270,10 +292,11 @@ Expected<DecodedFaces> decode_faces(const PieceSections& sections) {
   // What is appended to triangles finds room behind them.
   triangles.reserve(polygons ? surface_corners : static_cast<std::size_t>(sections.corners));
   triangles.resize(surface_corners);
-  auto surface = decode_surface(sections, triangles);
+  auto surface = decode_surface(sections, triangles, {}, with_introduced);
   if (!surface) return Failure{surface.error()};
   result.counts = surface->counts;
   result.turned = std::move(surface->turned);
+  result.introduced_by = std::move(surface->introduced_by);
   std::span<const std::uint32_t> along = triangles;
   if (sections.may_have_sizes()) mesh.face_sizes.reserve(static_cast<std::size_t>(sections.faces));
   if (polygons) {
@@ -301,6 +324,9 @@ Expected<DecodedFaces> decode_faces(const PieceSections& sections) {
 }
 
 constexpr std::uint64_t each = sizeof(std::uint32_t);
+
+/// Pieces of fewer corners are decoded before another thread has begun.
+constexpr std::uint64_t worth_threads = 1 << 15;
 
 /// What vertices of no surface count, though no array has them before a user makes one.
 std::uint64_t isolated_memory(const PieceSections& s) {
@@ -374,11 +400,18 @@ PieceMemory memory_of(const PieceSections& s, Values values) {
   }
   memory.values = memory.result + runs + (plain || polygons ? triangles : 0);
   if (values == Values::decode) {
+    const std::uint64_t held =
+        sizeof(Expected<Bytes>) * s.attributes.size() +
+        (predicts_along_surface(s, values)
+             ? each * (plain ? s.corners > 0 ? s.vertices : 0 : s.connectivity.vertices)
+             : 0);
+    memory.faces += held;
+    memory.values += held;
     std::uint64_t most = 0;
     for (const PieceSections::AttributeSection& a : s.attributes) {
       const std::uint64_t size = attribute_memory(a.header.attribute, a.count);
       memory.result += size;
-      memory.values += size + sizeof(Expected<Attribute>) + sizeof(std::uint64_t);
+      memory.values += size + sizeof(std::uint64_t);
       most = std::max(most, decoding_memory(a.header, a.count));
     }
     memory.values += most;
@@ -388,34 +421,68 @@ PieceMemory memory_of(const PieceSections& s, Values values) {
   return memory;
 }
 
+namespace {
+
+/// How many threads may decode a piece while `left` bytes are left: at least 1. More than one need
+/// room for residuals while faces are decoded, and for what several attributes take at a time.
+unsigned workers_of(const PieceSections& sections, const PieceMemory& memory, unsigned threads,
+                    std::uint64_t left) {
+  const std::size_t attributes = sections.attributes.size();
+  if (sections.corners < worth_threads) threads = 1;
+  std::vector<std::uint64_t> steps;
+  steps.reserve(attributes);
+  std::uint64_t residuals = 0;
+  for (const PieceSections::AttributeSection& a : sections.attributes) {
+    steps.push_back(decoding_memory(a.header, a.count));
+    residuals += attribute_memory(a.header.attribute, a.count);
+  }
+  std::sort(steps.begin(), steps.end(), std::greater<>());
+  const std::uint64_t held = memory.values - steps[0];
+  const unsigned most = worker_count(threads, attributes + 1);
+  std::uint64_t others = 0;  // steps beside the faces
+  unsigned fit = 1;
+  for (; fit < most; ++fit) {
+    others += steps[fit - 1];
+    const std::uint64_t after = others + (fit < attributes ? steps[fit] : 0);
+    if (std::max(memory.faces + residuals + others, held + after) > left) break;
+  }
+  return fit;
+}
+
+}  // namespace
+
 Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values, unsigned threads,
                                     std::uint64_t left) {
-  auto decoded = decode_faces(sections);
-  if (!decoded) return Failure{decoded.error()};
-  const std::span<const std::uint32_t> along = decoded->predicted_along();  // survives the move
-  DecodedPiece result{std::move(decoded->mesh), decoded->counts, 0};
-  if (values == Values::decode) {
-    std::vector<Expected<Attribute>> attributes(
-        sections.attributes.size(), fail(ErrorCode::internal, "an attribute is not decoded"));
-    std::vector<std::uint64_t> memory;
-    memory.reserve(attributes.size());
-    for (const PieceSections::AttributeSection& a : sections.attributes)
-      memory.push_back(decoding_memory(a.header, a.count));
-    const std::uint64_t held =
-        memory_of(sections, values).values -
-        (memory.empty() ? 0 : *std::max_element(memory.begin(), memory.end()));
-    const unsigned workers =
-        workers_that_fit(std::move(memory), threads, left > held ? left - held : 0);
-    for_each_item(attributes.size(), workers, [&](std::size_t i, unsigned) {
-      const PieceSections::AttributeSection& a = sections.attributes[i];
-      attributes[i] = decode_attribute(a.bytes, a.at, a.header, a.count, along);
-    });
-    result.mesh.attributes.reserve(attributes.size());
-    for (auto& attribute : attributes) {
-      if (!attribute) return Failure{attribute.error()};
-      result.mesh.attributes.push_back(std::move(*attribute));
+  const bool along_surface = predicts_along_surface(sections, values);
+  const std::size_t attributes = values == Values::decode ? sections.attributes.size() : 0;
+  const unsigned workers =
+      attributes == 0 ? 1 : workers_of(sections, memory_of(sections, values), threads, left);
+
+  // Residuals need no faces, values need both: so first faces and residuals, then values. Whatever
+  // the threads do, the error of the faces comes first, then that of the first attribute.
+  Expected<DecodedFaces> decoded = fail(ErrorCode::internal, "not decoded");
+  std::vector<Expected<Bytes>> residuals(attributes, fail(ErrorCode::internal, "not decoded"));
+  std::atomic<bool> in_vain{false};
+  for_each_item(1 + attributes, workers, [&](std::size_t i, unsigned) {
+    if (i == 0) {
+      decoded = decode_faces(sections, along_surface);
+      in_vain = !decoded.ok();
+    } else if (!in_vain) {
+      const PieceSections::AttributeSection& a = sections.attributes[i - 1];
+      residuals[i - 1] = decode_residuals(a.bytes, a.at, a.header, a.count);
     }
-  }
+  });
+  if (!decoded) return Failure{decoded.error()};
+  for (const auto& rows : residuals)
+    if (!rows) return Failure{rows.error()};
+
+  const CodedSurface surface = decoded->surface();  // survives the move
+  DecodedPiece result{std::move(decoded->mesh), decoded->counts, 0};
+  result.mesh.attributes.resize(attributes);
+  for_each_item(attributes, workers, [&](std::size_t i, unsigned) {
+    result.mesh.attributes[i] =
+        reconstruct(sections.attributes[i].header, std::move(*residuals[i]), surface);
+  });
   turn_back(result.mesh.corners, result.mesh.face_sizes, decoded->turned);
   for (const ReversedRun& run : decoded->turned) result.turned_faces += run.count;
   return result;
@@ -427,7 +494,7 @@ std::uint64_t numbering_memory(const PieceSections& s) {
 
 Expected<Done> decode_triangles(const PieceSections& sections, std::span<std::uint32_t> corners,
                                 std::span<HalfEdge> twins) {
-  auto surface = decode_surface(sections, corners, twins);
+  auto surface = decode_surface(sections, corners, twins, false);
   if (!surface) return Failure{surface.error()};
   turn_back(corners, {}, surface->turned);
   return Done{};

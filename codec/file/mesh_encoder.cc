@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "codec/attributes/attribute.h"
+#include "codec/attributes/attribute_encoder.h"
 #include "codec/base/check.h"
 #include "codec/base/parallel.h"
 #include "codec/base/utf8.h"
@@ -115,17 +115,15 @@ class MeshEncoder {
         [&] { return plain_bytes() < 3 * mesh_.face_count() / 2; });
     if (!coded) return Failure{coded.error()};
     Bytes payload, kept_order;
-    std::vector<std::uint32_t> triangles;  // of the surface, by new vertices of the mesh
+    CodedArrays surface;
     std::optional<Bytes> plain;
     const bool keep = options_.order == Order::keep;
     if (coded->given_up) {
       plain = plain_payload(mesh_.face_count());
     } else {
       number(*coded);
-      triangles = std::move(coded->surface.corners);
-      if (const auto& vertex_of = coded->surface.vertex_of; !vertex_of.empty())
-        for (std::uint32_t& v : triangles) v = vertex_of[v];
-      const Bytes loose = code_loose(triangles);
+      surface = std::move(coded->surface);
+      const Bytes loose = code_loose(surface.corners);
       payload = surface_payload(*coded, loose);
       if (keep) {
         progress("order", 0.3);
@@ -137,7 +135,9 @@ class MeshEncoder {
     if (plain) {
       payload = std::move(*plain);
       kept_order.clear();
-      triangles = fan_triangles(mesh_.corners, mesh_.face_sizes);
+      surface.corners = fan_triangles(mesh_.corners, mesh_.face_sizes);
+      surface.introduced_by.resize(mesh_.vertex_count);
+      find_introducing(surface.corners, surface.introduced_by);
       set_identity(mesh_, order());
       info().cuts = {};
       info().clers = {};
@@ -151,7 +151,7 @@ class MeshEncoder {
       put(SectionKind::name, Bytes(name.begin(), name.end()));
     }
     if (!kept_order.empty()) put(SectionKind::order, std::move(kept_order));
-    if (auto ok = attributes(triangles, threads, progress); !ok) return ok;
+    if (auto ok = attributes(surface.view(), threads, progress); !ok) return ok;
     if (keep) set_identity(mesh_, order());
     return Done{};
   }
@@ -456,7 +456,7 @@ class MeshEncoder {
   }
 
   template <class Progress>
-  Expected<Done> attributes(std::span<const std::uint32_t> triangles, unsigned threads,
+  Expected<Done> attributes(const CodedSurface& surface, unsigned threads,
                             const Progress& progress) {
     const std::size_t count = mesh_.attributes.size();
     std::vector<Expected<Bytes>> coded(count,
@@ -465,8 +465,7 @@ class MeshEncoder {
       const Attribute& a = mesh_.attributes[i];
       if (worker == 0)
         progress(a.name, 0.4 + 0.6 * static_cast<double>(i) / static_cast<double>(count));
-      coded[i] =
-          encode_attribute(in_coded_order(a, mesh_, result.order), triangles, options_.level);
+      coded[i] = encode_attribute(in_coded_order(a, mesh_, result.order), surface, options_.level);
     });
     const Attribute* const position = mesh_.position();
     for (std::size_t i = 0; i < count; ++i) {

@@ -14,14 +14,6 @@ namespace clers::io {
 
 namespace {
 
-constexpr const char* domain_names[] = {"vertex", "corner", "face"};
-constexpr const char* scalar_names[scalar_count] = {
-    "int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64", "float32", "float64"};
-
-const char* name(Domain domain) {
-  return domain_names[static_cast<unsigned>(domain)];
-}
-
 // What metadata call the formats of files.
 struct SourceName {
   std::string_view name;
@@ -173,8 +165,7 @@ const Attribute* find(const Mesh& mesh, std::string_view name, Domain domain) {
 
 std::string label(const Attribute& attribute) {
   return std::string(name(attribute.domain)) + " attribute " + quoted(attribute.name) + " (" +
-         std::to_string(attribute.components) + " x " +
-         scalar_names[static_cast<unsigned>(attribute.scalar)] + ")";
+         std::to_string(attribute.components) + " x " + name(attribute.scalar) + ")";
 }
 
 void note_left_out(Notes& notes, const Attribute& attribute, std::string_view why) {

@@ -6,8 +6,7 @@
 #include <numeric>
 #include <span>
 
-#include "codec/attributes/attribute_format.h"
-#include "codec/attributes/prediction.h"
+#include "codec/attributes/transform.h"
 #include "codec/base/parallel.h"
 
 namespace clers::internal {

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "codec/attributes/prediction.h"
+#include "codec/attributes/transform.h"
 #include "codec/entropy/coder.h"
 
 namespace clers::internal {

@@ -96,7 +96,7 @@ void put_stitches(const SurfaceFaces& surface, std::span<const std::uint32_t> ve
   const std::uint32_t points = number_classes(classes);
   out.order.vertices.resize(points);
   for (std::uint32_t n = count; n-- > 0;) out.order.vertices[classes[n]] = point(vertices[n]);
-  out.surface.vertex_of = std::move(classes);
+  stitch(classes, out.surface.corners, out.surface.introduced_by);
 }
 
 Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, Wanted wanted) {
