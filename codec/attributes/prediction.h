@@ -95,11 +95,15 @@ constexpr bool in_order_of_values(Predictor predictor) {
   return predictor != Predictor::parallelogram;
 }
 
-/// Calls use(n) with the number of components: a constant where there are three, as there mostly
-/// are, so that loops over them unroll.
+/// Calls use(n) with the number of components: a constant where there are two or three, as there
+/// mostly are, so that loops over them unroll.
 template <class Use>
 void with_components(std::size_t n, Use use) {
-  n == 3 ? use(std::integral_constant<std::size_t, 3>()) : use(n);
+  switch (n) {
+    case 2: return use(std::integral_constant<std::size_t, 2>());
+    case 3: return use(std::integral_constant<std::size_t, 3>());
+    default: return use(n);
+  }
 }
 
 /// The residuals of `count` values, a row of components each. Both are words; values are keys
