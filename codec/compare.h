@@ -6,19 +6,9 @@
 
 #include "codec/error.h"
 #include "codec/mesh.h"
+#include "codec/verdict.h"
 
 namespace clers {
-
-enum class Verdict {
-  same,       ///< a renumbering was found under which all faces and values agree bit for bit
-  different,  ///< no renumbering can exist
-  undecided,  ///< neither could be shown within the work allowed, or colours collided
-};
-
-struct Comparison {
-  Verdict verdict = Verdict::undecided;
-  std::string what;  ///< the first difference, for people; empty when same
-};
 
 /// Compares without any knowledge of the codec: refines classes of vertices by their values and
 /// their neighbourhoods until a renumbering is forced, then checks it. Positions may coincide.

@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "codec/base/budget.h"
+#include "codec/base/faces.h"
 #include "codec/base/guarded.h"
 #include "codec/base/parallel.h"
 #include "codec/file/mesh_decoder.h"
 #include "codec/soup/edges.h"
-#include "codec/soup/faces.h"
 
 namespace clers {
 namespace {

@@ -11,8 +11,8 @@
 #include "codec/file/container.h"
 #include "codec/file/mesh_encoder.h"
 #include "codec/file/metadata.h"
+#include "codec/file/piece_encoder.h"
 #include "codec/pieces/partition.h"
-#include "codec/pieces/pieces.h"
 
 namespace clers {
 namespace {
@@ -59,19 +59,7 @@ EncodedMesh finish(Work work, const Mesh& mesh, const EncodeOptions& options) {
   if (!work.cutter) return std::move(*work.coded[0]);
   std::vector<EncodedMesh> pieces;
   for (auto& piece : work.coded) pieces.push_back(std::move(*piece));
-  EncodedMesh whole = join(std::move(pieces), mesh);
-  if (!mesh.name.empty()) {
-    const auto name = std::as_bytes(std::span(mesh.name));
-    whole.sections.push_back({SectionKind::name, Bytes(name.begin(), name.end())});
-  }
-  if (options.order == Order::keep) {
-    Bytes order = encode_order(mesh, whole.order, in_coded_order(mesh, whole.order));
-    whole.info.order_bytes = order.size();
-    whole.info.connectivity_bytes += order.size();
-    whole.sections.push_back({SectionKind::order, std::move(order)});
-    set_identity(mesh, whole.order);
-  }
-  return whole;
+  return join_pieces(std::move(pieces), mesh, options.order);
 }
 
 Expected<Encoded> encode_meshes(std::span<const Mesh> meshes, const EncodeOptions& options) {

@@ -23,7 +23,7 @@ void add_attributes(const PieceSections& piece, MeshInfo& mesh) {
     const Attribute& what = a.header.attribute;
     if (first)
       mesh.attributes.push_back({what.name, what.domain, what.scalar, what.components, 0, 0});
-    mesh.attributes[i].count += a.count - (what.domain == Domain::vertex ? piece.shared : 0);
+    mesh.attributes[i].count += a.count - (what.domain == Domain::vertex ? piece.seam.shared : 0);
     mesh.attributes[i].bytes += a.bytes.size();
     const bool position =
         !position_seen && what.domain == Domain::vertex && what.name == position_name;
@@ -70,17 +70,17 @@ Expected<MeshInfo> look_at(const MeshSections& s) {
       faces = std::move(decoded->mesh);
     else if (auto ok = put_piece(piece, decoded->mesh, faces); !ok)
       return Failure{ok.error()};
-    mesh.cuts.turned_faces += decoded->turned_faces;
-    mesh.cuts.copied_vertices += piece.copies;
-    mesh.cuts.repeated_faces += piece.repeated_faces;
-    mesh.cuts.loose_faces += piece.folded_faces + piece.loose_faces;
+    mesh.cuts.turned_faces += decoded->reversed_faces;
+    mesh.cuts.copied_vertices += piece.copies.copies;
+    mesh.cuts.repeated_faces += piece.repeats.faces;
+    mesh.cuts.loose_faces += piece.folded.faces + piece.degenerate.faces;
     const auto symbols = in_word_order(decoded->counts.symbols);
     for (std::size_t i = 0; i < symbols.size(); ++i) mesh.clers[i] += symbols[i];
     mesh.connectivity_bytes += piece.payload_size + piece.seam_size;
-    mesh.polygon_bytes += piece.polygons.bytes.size();
-    mesh.stitching_bytes += piece.turned.bytes.size() + piece.stitches.bytes.size() +
-                            piece.repeats.bytes.size() + piece.folded.bytes.size() +
-                            piece.loose.bytes.size() + piece.seam_size;
+    mesh.polygon_bytes += piece.polygons.stream.bytes.size();
+    mesh.stitching_bytes += piece.reversed.stream.bytes.size() + piece.copies.stream.bytes.size() +
+                            piece.repeats.stream.bytes.size() + piece.folded.stream.bytes.size() +
+                            piece.degenerate.stream.bytes.size() + piece.seam_size;
     add_attributes(piece, mesh);
   }
   if (auto ok = finish_mesh(s, faces); !ok) return Failure{ok.error()};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 #include <tuple>
+#include <utility>
 
 namespace clers {
 namespace {
@@ -144,6 +145,17 @@ std::optional<Correspondence> equivalent(const Surface& a, const Surface& b) {
     std::swap(b_parts[i], b_parts[j]);
   }
   return matcher.take();
+}
+
+bool homeomorphic(const Surface& a, const Surface& b) {
+  const auto classes = [](const Surface& s) {
+    std::vector<std::pair<std::int64_t, std::int64_t>> sorted;
+    for (const Component k : s.components())
+      sorted.emplace_back(s.characteristic(k).b, s.characteristic(k).g);
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+  };
+  return classes(a) == classes(b);
 }
 
 }  // namespace clers

@@ -1,4 +1,4 @@
-// Are two surfaces the same up to renumbering?
+// Are two surfaces the same up to renumbering, or up to homeomorphism?
 #ifndef CLERS_TOPOLOGY_EQUIVALENCE_H
 #define CLERS_TOPOLOGY_EQUIVALENCE_H
 
@@ -22,6 +22,11 @@ struct Correspondence {
 /// the half-edges of the rarest neighbourhood. O(F log F) when few look alike; a regular surface
 /// that is almost but not quite the other may cost up to O(F^2).
 std::optional<Correspondence> equivalent(const Surface& a, const Surface& b);
+
+/// Is there a homeomorphism? By the classification of surfaces (Theorem 2) there is one if the
+/// components of the two can be matched so that genus and number of boundary curves agree, however
+/// they are triangulated. O(s log s) for s components, besides one look at every component id.
+bool homeomorphic(const Surface& a, const Surface& b);
 
 }  // namespace clers
 

@@ -52,6 +52,19 @@ constexpr Text invariant_texts[invariant_count] = {
     {"euler_poincare", "component"},
 };
 
+constexpr Text face_rule_texts[face_rule_count] = {
+    {"array_sizes", "size"},
+    {"vertex_in_range", "half-edge"},
+    {"distinct_corners", "face"},
+    {"at_most_two_faces", "half-edge"},
+    {"opposite_directions", "half-edge"},
+    {"one_fan", "vertex"},
+};
+
+std::string fails_at(const Text& text, std::uint32_t element) {
+  return std::string(text.name) + " fails at " + text.element + " " + std::to_string(element);
+}
+
 }  // namespace
 
 const char* name(Precondition p) {
@@ -59,6 +72,9 @@ const char* name(Precondition p) {
 }
 const char* name(Invariant i) {
   return invariant_texts[static_cast<unsigned>(i)].name;
+}
+const char* name(FaceRule r) {
+  return face_rule_texts[static_cast<unsigned>(r)].name;
 }
 
 std::string describe(const Violation& v) {
@@ -68,9 +84,11 @@ std::string describe(const Violation& v) {
 }
 
 std::string describe(const Fault& f) {
-  return std::string(name(f.invariant)) + " fails at " +
-         invariant_texts[static_cast<unsigned>(f.invariant)].element + " " +
-         std::to_string(f.element);
+  return fails_at(invariant_texts[static_cast<unsigned>(f.invariant)], f.element);
+}
+
+std::string describe(const BrokenRule& b) {
+  return fails_at(face_rule_texts[static_cast<unsigned>(b.rule)], b.element);
 }
 
 }  // namespace clers

@@ -72,13 +72,36 @@ struct Fault {
   friend bool operator==(const Fault&, const Fault&) = default;
 };
 
+/// What triangles given by their corners must keep to be an oriented manifold, in the order in
+/// which Surface::from_faces checks it.
+enum class FaceRule : std::uint8_t {
+  array_sizes,       ///< three corners a face, at most max_faces, a point a vertex; element: a size
+  vertex_in_range,   ///< a corner is below vertex_count; element: a half-edge, that from the corner
+  distinct_corners,  ///< a face has three vertices; element: a face
+  at_most_two_faces,    ///< no edge has more; element: the half-edge of the third
+  opposite_directions,  ///< the two faces of an edge run along it opposite ways; element: the
+                        ///< half-edge of the second
+  one_fan,              ///< the faces at a vertex are one fan, open or closed; element: a vertex
+};
+inline constexpr unsigned face_rule_count = 6;
+
+/// A rule that triangles break: which, and the first element at which they do.
+struct BrokenRule {
+  FaceRule rule = FaceRule::array_sizes;
+  std::uint32_t element = 0;
+
+  friend bool operator==(const BrokenRule&, const BrokenRule&) = default;
+};
+
 /// Names as in the enumerations.
 const char* name(Precondition p);
 const char* name(Invariant i);
+const char* name(FaceRule r);
 
 /// One line for people, such as "twin_is_mutual fails at half-edge 17".
 std::string describe(const Violation& v);
 std::string describe(const Fault& f);
+std::string describe(const BrokenRule& b);
 
 }  // namespace clers
 

@@ -21,12 +21,14 @@ void Surface::relabel_fan(HalfEdge start, Vertex v) {
 }
 
 /// Makes the fans that begin at these boundary half-edges (some may be the same) fans of one
-/// vertex, that of the largest, on the point of the first.
+/// vertex, that of the largest, on the point of the first and with its values.
 Vertex Surface::merge_fans(std::span<const HalfEdge> starts) {
-  const Point p = point(org(starts[0]));
-  Vertex kept = org(starts[0]);
+  const Vertex first = org(starts[0]);
+  const Point p = point(first);
+  Vertex kept = first;
   for (HalfEdge start : starts)
     if (corner_count(org(start)) > corner_count(kept)) kept = org(start);
+  if (kept != first && data_.any()) make_data(kept, first);
   for (HalfEdge start : starts) {
     const Vertex v = org(start);
     if (v == kept) continue;

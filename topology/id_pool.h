@@ -1,4 +1,5 @@
 // Hands out ids and takes them back: the last one freed is the next one given.
+// Internal: installed because surface.h needs it, no part of the API.
 #ifndef CLERS_TOPOLOGY_ID_POOL_H
 #define CLERS_TOPOLOGY_ID_POOL_H
 
@@ -8,6 +9,10 @@
 #include <vector>
 
 namespace clers {
+struct SurfacePeer;  // corrupts arrays, in tests
+}
+
+namespace clers::internal {
 
 /// Grows the capacity of `v` geometrically so that `extra` more elements fit without allocation.
 template <class T>
@@ -51,11 +56,11 @@ class IdPool {
   void give(IdType id) { free_.push_back(id); }
 
  private:
-  friend struct SurfacePeer;
+  friend struct clers::SurfacePeer;
   std::vector<IdType> free_;
   std::uint32_t size_ = 0;
 };
 
-}  // namespace clers
+}  // namespace clers::internal
 
 #endif

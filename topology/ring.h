@@ -1,4 +1,5 @@
 // Cyclic sequences of boundary half-edges, cut and joined in logarithmic time.
+// Internal: installed because surface.h needs it, no part of the API.
 //
 // A boundary curve is a ring. The paper decides which curve an edge is on by union-find (§6.2), but
 // glue of type 1b and its like split curves, which union-find cannot. A balanced tree can: a ring
@@ -14,6 +15,10 @@
 #include "topology/ids.h"
 
 namespace clers {
+struct SurfacePeer;  // corrupts arrays, in tests
+}
+
+namespace clers::internal {
 
 /// A forest of treaps over half-edges. A tree is named by its root; the null id is the empty tree.
 /// Trees of n nodes cost O(log n) expected for each operation that does not say otherwise; none
@@ -130,7 +135,7 @@ class Rings {
   }
 
  private:
-  friend struct SurfacePeer;
+  friend struct clers::SurfacePeer;
 
   Node& at(HalfEdge h) { return nodes_[h.index()]; }
   const Node& at(HalfEdge h) const { return nodes_[h.index()]; }
@@ -153,6 +158,6 @@ class Rings {
   std::vector<Node> nodes_;
 };
 
-}  // namespace clers
+}  // namespace clers::internal
 
 #endif

@@ -1,4 +1,5 @@
 // flip, split, weld: another star inside the same rim (§5.2, §6.3).
+#include "topology/follow.h"
 #include "topology/surface.h"
 
 namespace clers {
@@ -85,6 +86,7 @@ Result<Done, Violation> Surface::flip(HalfEdge h) {
   org_[t.index()] = c;
   --corners_[a.index()], --corners_[b.index()];
   ++corners_[c.index()], ++corners_[d.index()];
+  if (data_.any()) move_sides(Change::of_flip(h, t));
   return Done{};
 }
 
@@ -123,12 +125,12 @@ Result<Vertex, Violation> Surface::split(HalfEdge h, Point p) {
   reserve_faces(more);
   reserve_vertices(1);
 
-  const Face fresh = new_face();
+  const Face fresh = new_face(left(h));
   const HalfEdge v_b = half_edge(fresh, 0);
   const Component k = component(left(h));
   Vertex v;
   if (t) {
-    const Face fresh_g = new_face();
+    const Face fresh_g = new_face(left(t));
     const HalfEdge v_a = half_edge(fresh_g, 0);
     v = new_vertex(v_a, 4, p);
     const Face f = left(h), g = left(t);
@@ -148,6 +150,7 @@ Result<Vertex, Violation> Surface::split(HalfEdge h, Point p) {
   }
   counts_[k.index()] += effect(kind);
   total_ += effect(kind);
+  if (data_.any()) move_sides(Change::of_split(*this, h, t, v));
   return v;
 }
 
@@ -160,7 +163,7 @@ Result<Vertex, Violation> Surface::split(Face f, Point p) {
 
   const Vertex corner[3] = {org(half_edge(f, 0)), org(half_edge(f, 1)), org(half_edge(f, 2))};
   const Component k = component(f);
-  const Face part[3] = {f, new_face(), new_face()};
+  const Face part[3] = {f, new_face(f), new_face(f)};
   const RimSide rim[] = {{half_edge(f, 0), half_edge(f, 1)},
                          {half_edge(f, 1), half_edge(part[1], 1)},
                          {half_edge(f, 2), half_edge(part[2], 1)}};
@@ -175,6 +178,7 @@ Result<Vertex, Violation> Surface::split(Face f, Point p) {
   }
   counts_[k.index()] += effect(StellarCase::face);
   total_ += effect(StellarCase::face);
+  if (data_.any()) move_sides(Change::of_split(*this, f, v));
   return v;
 }
 
@@ -268,6 +272,7 @@ Result<Welded, Violation> Surface::weld(HalfEdge h) {
   faces_.reserve(0);
   vertices_.reserve(0);
 
+  if (data_.any()) move_sides(Change::of_weld(*this, h));
   const Component k = component(left(h));
   const Welded done = boundary         ? weld_boundary_edge(v)
                       : degree(v) == 4 ? weld_interior_edge(h)

@@ -4,14 +4,10 @@
 namespace clers {
 namespace {
 
-bool same_edge(const Surface& s, HalfEdge a, HalfEdge b) {
-  return a == b || (s.sym(a) && s.sym(a) == b);
-}
-
 bool adjacent(const Surface& s, Vertex a, Vertex b) {
   if (s.degree(b) < s.degree(a)) std::swap(a, b);
-  for (const HalfEdge h : s.star(a))
-    if (s.other_end(h, a) == b) return true;
+  for (const Vertex x : s.adjacent_vertices(a))
+    if (x == b) return true;
   return false;
 }
 
@@ -29,13 +25,13 @@ bool link_condition(const Surface& s, HalfEdge h) {
     return false;  // a triangle alone
   }
   for (const HalfEdge p : s.star(u)) {
-    if (same_edge(s, p, h)) continue;
+    if (s.same_edge(p, h)) continue;
     const Vertex x = s.other_end(p, u);
     if (x == u || x == w) return false;
     for (const HalfEdge q : s.star(w)) {
       if (s.other_end(q, w) != x) continue;
-      const bool beside_h = same_edge(s, p, lprev(h)) && same_edge(s, q, lnext(h));
-      const bool beside_t = t && same_edge(s, p, lnext(t)) && same_edge(s, q, lprev(t));
+      const bool beside_h = s.same_edge(p, lprev(h)) && s.same_edge(q, lnext(h));
+      const bool beside_t = t && s.same_edge(p, lnext(t)) && s.same_edge(q, lprev(t));
       if (!beside_h && !beside_t) return false;
     }
   }

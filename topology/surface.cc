@@ -3,6 +3,8 @@
 
 namespace clers {
 
+using internal::reserve_more;
+
 void Surface::reserve_faces(std::uint32_t count) {
   faces_.reserve(count);
   const std::uint32_t growth = faces_.growth(count);
@@ -11,6 +13,7 @@ void Surface::reserve_faces(std::uint32_t count) {
   reserve_more(component_, growth);
   reserve_more(scratch_, growth);
   rings_.reserve(org_.capacity());
+  if (data_.any()) reserve_face_data();
 }
 
 void Surface::reserve_vertices(std::uint32_t count) {
@@ -19,6 +22,7 @@ void Surface::reserve_vertices(std::uint32_t count) {
   reserve_more(star_, growth);
   reserve_more(corners_, growth);
   reserve_more(point_, growth);
+  if (data_.any()) reserve_vertex_data();
 }
 
 void Surface::reserve_curves(std::uint32_t count) {
@@ -31,7 +35,7 @@ void Surface::reserve_components(std::uint32_t count) {
   reserve_more(counts_, components_.growth(count));
 }
 
-Face Surface::new_face() {
+Face Surface::new_face(Face of) {
   const Face f = faces_.take();
   if (f.index() == component_.size()) {
     org_.resize(org_.size() + 3);
@@ -40,16 +44,18 @@ Face Surface::new_face() {
     component_.emplace_back();
     scratch_.emplace_back();
   }
+  if (data_.any()) make_data(f, of);
   return f;
 }
 
-Vertex Surface::new_vertex(HalfEdge star, std::uint32_t corners, Point p) {
+Vertex Surface::new_vertex(HalfEdge star, std::uint32_t corners, Point p, Vertex of) {
   const Vertex v = vertices_.take();
   if (v.index() == star_.size()) {
     star_.emplace_back();
     corners_.emplace_back();
     point_.emplace_back();
   }
+  if (data_.any()) make_data(v, of);
   star_[v.index()] = star;
   corners_[v.index()] = corners;
   point_[v.index()] = p;

@@ -2,12 +2,14 @@
 #ifndef CLERS_TOPOLOGY_SURFACE_H
 #define CLERS_TOPOLOGY_SURFACE_H
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "topology/attachments.h"
 #include "topology/characteristic.h"
 #include "topology/circulator.h"
 #include "topology/errors.h"
@@ -18,11 +20,21 @@
 
 namespace clers {
 
+class Change;  // follow.h
+
 /// What a weld undid, and what splits it again.
 struct Welded {
   StellarCase undone = StellarCase::face;
   HalfEdge at;  ///< split(at, point) undoes the weld; of a face: split(left(at), point)
   Point point;  ///< the vertex's
+};
+
+/// What compress made of the old ids, by old id; null of dead ones. A half-edge keeps its corner.
+struct Compressed {
+  std::vector<Face> faces;
+  std::vector<Vertex> vertices;
+  std::vector<Curve> curves;
+  std::vector<Component> components;
 };
 
 /// An oriented 2-manifold with boundary made of triangles, as the paper's handle-edge structure
@@ -46,6 +58,8 @@ struct Welded {
 /// Ids of faces, vertices, curves and components are reused, the last one freed first. An operator
 /// keeps every id that its documentation does not speak of, and always the order of corners.
 ///
+/// Values of one's own by vertex, face or half-edge: element_data.h.
+///
 /// Queries need live arguments (`is_live`); operators check theirs and refuse with a Violation.
 /// When memory runs out an operator throws std::bad_alloc before it has changed anything.
 ///
@@ -63,11 +77,15 @@ class Surface {
     return k.index() < components_.size() && counts_[k.index()].s != 0;
   }
 
-  /// The live ones in the order of ids; O(ids ever used together).
-  LiveIds<Surface, Face> faces() const { return {*this, faces_.size()}; }
-  LiveIds<Surface, Vertex> vertices() const { return {*this, vertices_.size()}; }
-  LiveIds<Surface, Curve> curves() const { return {*this, curves_.size()}; }
-  LiveIds<Surface, Component> components() const { return {*this, components_.size()}; }
+  /// All of a kind in the order of their ids, to range over. Cost: that of all ids below the limit.
+  auto faces() const { return live<Face>(faces_.size()); }
+  auto vertices() const { return live<Vertex>(vertices_.size()); }
+  auto curves() const { return live<Curve>(curves_.size()); }
+  auto components() const { return live<Component>(components_.size()); }
+  /// All edges, each by the half-edge that stands for it: edge(h) == h.
+  auto edges() const {
+    return ElementRange(FilterCursor<IsEdge, HalfEdge>(*this, half_edge_limit()));
+  }
 
   /// One more than the largest id used so far: the size of arrays indexed by that id.
   std::uint32_t face_limit() const { return faces_.size(); }
@@ -88,6 +106,11 @@ class Surface {
     return is_boundary(half_edge(f, 0)) || is_boundary(half_edge(f, 1)) ||
            is_boundary(half_edge(f, 2));
   }
+
+  /// The half-edge that stands for its edge: the one with the lower id, or the only one.
+  HalfEdge edge(HalfEdge h) const { return std::min(h, sym(h)); }
+  /// Are these two sides, or the same side, of one edge?
+  bool same_edge(HalfEdge a, HalfEdge b) const { return edge(a) == edge(b); }
 
   /// The end of the edge that v, one of its ends, is not; v of a loop.
   Vertex other_end(HalfEdge h, Vertex v) const { return org(h) == v ? dest(h) : org(h); }
@@ -128,29 +151,31 @@ class Surface {
   // live elements; they hold until the next operator.
 
   /// One half-edge leaving v for each corner of v: left() of it is the face.
-  auto fan(Vertex v) const {
-    return Circulator<AroundVertex>(*this, star_[v.index()], corner_count(v));
-  }
+  auto fan(Vertex v) const { return circulate<AroundVertex>(star_[v.index()], corner_count(v)); }
   /// The edges of v's star, degree(v) of them, each by a half-edge that leaves v; but the last one
   /// of a boundary vertex arrives at v, having no side that leaves.
-  auto star(Vertex v) const { return Circulator<AroundVertex>(*this, star_[v.index()], degree(v)); }
+  auto star(Vertex v) const { return circulate<AroundVertex>(star_[v.index()], degree(v)); }
+  /// The vertices at the other ends of v's edges, in the order of star(v), degree(v) of them. Each
+  /// is there once for every edge that joins it to v, and v itself twice for every loop: once each,
+  /// and never v, if the surface is a simplicial complex.
+  auto adjacent_vertices(Vertex v) const {
+    return ElementRange(NeighbourCursor<AroundVertex>(*this, v, star_[v.index()], degree(v)));
+  }
   /// The edges of v's link, those opposite v: a closed curve, or a path if v is on the boundary.
   auto link(Vertex v) const {
-    return Circulator<AlongLink>(*this, lnext(star_[v.index()]), corner_count(v));
+    return circulate<AlongLink>(lnext(star_[v.index()]), corner_count(v));
   }
   /// The edge's sides: left() of them are the one or two faces of its star.
-  auto star(HalfEdge h) const { return Circulator<AcrossEdge>(*this, h, is_boundary(h) ? 1 : 2); }
+  auto star(HalfEdge h) const { return circulate<AcrossEdge>(h, is_boundary(h) ? 1 : 2); }
   /// The edge's link, one or two vertices: the origins of these.
-  auto link(HalfEdge h) const {
-    return Circulator<OppositeEdge>(*this, lprev(h), is_boundary(h) ? 1 : 2);
-  }
+  auto link(HalfEdge h) const { return circulate<OppositeEdge>(lprev(h), is_boundary(h) ? 1 : 2); }
   /// The three sides of f, from corner 0.
-  auto star(Face f) const { return Circulator<AroundFace>(*this, half_edge(f, 0), 3); }
+  auto star(Face f) const { return circulate<AroundFace>(half_edge(f, 0), 3); }
   /// Nothing: no simplex of a surface is joined to a whole triangle.
-  auto link(Face f) const { return Circulator<AroundFace>(*this, half_edge(f, 0), 0); }
+  auto link(Face f) const { return circulate<AroundFace>(half_edge(f, 0), 0); }
   /// Along a boundary curve, all of it, from h or from some half-edge.
-  auto boundary(HalfEdge h) const { return Circulator<AlongBoundary>(*this, h, length(curve(h))); }
-  auto boundary(Curve c) const { return Circulator<AlongBoundary>(*this, on_curve(c), length(c)); }
+  auto boundary(HalfEdge h) const { return circulate<AlongBoundary>(h, length(curve(h))); }
+  auto boundary(Curve c) const { return circulate<AlongBoundary>(on_curve(c), length(c)); }
 
   // Handle operators (§5.1, §6.2) -----------------------------------------------------------------
 
@@ -231,11 +256,10 @@ class Surface {
   ///          c                   c           f: (a b c) at h  ->  (d c a)
   ///         / \                 /|\          g: (b a d) at twin  ->  (c d b)
   ///        / f \               / | \         .
-  ///       a --h-> b           a f|g b        h and its twin stay the two sides of the edge. The
-  ///       rim
+  ///       a --h-> b           a f|g b        h and its twin stay the two sides of the edge. The rim
   ///        \ g /               \ ^ /         turns with it: c-a goes to lnext(h), a-d to lprev(h),
   ///         \ /                 \h/          d-b to lnext(twin), b-c to lprev(twin).
-  ///          d                   d           .
+  ///          d                   d
   ///
   /// Preconditions: `live_half_edge`, `interior_edge`, `two_faces`. Effect on (v,e,f,b,g,s): none;
   /// a and b lose a corner, c and d gain one. Inverse: flip(h), which leaves h running from b to a;
@@ -306,6 +330,23 @@ class Surface {
                                            std::uint32_t vertex_count,
                                            std::span<const Point> points = {});
 
+  /// The surface of triangles given by their corners, three vertices below vertex_count a face,
+  /// counterclockwise: face i has the corners 3i, 3i+1 and 3i+2. Points by vertex (empty: vertex i
+  /// is on point i). A vertex without faces is a free id.
+  ///
+  /// Errors: the first FaceRule (errors.h) that the triangles break, and the first element at which
+  /// they do: they must be an oriented manifold, with at most one edge between two vertices.
+  /// Cost: O(F + V + B log B).
+  static Result<Surface, BrokenRule> from_faces(std::span<const std::uint32_t> corners,
+                                                std::uint32_t vertex_count,
+                                                std::span<const Point> points = {});
+
+  /// Gives the elements the ids 0 .. n-1 of their kind, in the order of those they had: no id below
+  /// the limits is dead afterwards, and arrays are as small as they can be. Nothing else changes;
+  /// containers (element_data.h) follow. Returns which id became which.
+  /// Cost: O(ids + B log B).
+  Compressed compress();
+
   /// Makes room for so many faces and vertices more at once: operators that know what they will
   /// make need not grow the arrays again and again. Changes nothing else.
   void reserve(std::uint32_t faces, std::uint32_t vertices) {
@@ -322,12 +363,33 @@ class Surface {
  private:
   friend struct SurfacePeer;  // corrupts arrays, in tests
   friend class Validator;     // reads them as they are
+  template <class IdType, class T>
+  friend class ElementData;
 
+  template <class Step>
+  Circulator<Step> circulate(HalfEdge start, std::uint32_t size) const {
+    return Circulator<Step>({*this, start, size});
+  }
+
+  struct IsLive {
+    template <class IdType>
+    static bool holds(const Surface& s, IdType id) {
+      return s.is_live(id);
+    }
+  };
+  template <class IdType>
+  ElementRange<FilterCursor<IsLive, IdType>> live(std::uint32_t limit) const {
+    return ElementRange(FilterCursor<IsLive, IdType>(*this, limit));
+  }
+  struct IsEdge {
+    static bool holds(const Surface& s, HalfEdge h) { return s.is_live(h) && s.edge(h) == h; }
+  };
   struct AroundVertex {
     static HalfEdge after(const Surface& s, HalfEdge h) {
       const HalfEdge side = lprev(h), other = s.sym(side);
       return other ? other : side;
     }
+    static Vertex other_end(const Surface& s, HalfEdge h, Vertex v) { return s.other_end(h, v); }
   };
   struct AlongLink {
     static HalfEdge after(const Surface& s, HalfEdge h) { return lnext(s.sym(lnext(h))); }
@@ -352,10 +414,19 @@ class Surface {
   void reserve_curves(std::uint32_t count);
   void reserve_components(std::uint32_t count);
 
-  Face new_face();
-  Vertex new_vertex(HalfEdge star, std::uint32_t corners, Point p);
+  // What is new gets the values of `of`, if not null, in containers.
+  Face new_face(Face of = {});
+  Vertex new_vertex(HalfEdge star, std::uint32_t corners, Point p, Vertex of = {});
   void new_curve(HalfEdge tree) { name_curve(tree, curves_.take()); }
   Component new_component();
+  // Containers; each after data_.any(), so that an operator without them does not pay
+  // (element_data.cc).
+  void reserve_face_data();
+  void reserve_vertex_data();
+  void make_data(Face f, Face of);
+  void make_data(Vertex v, Vertex of);
+  void move_sides(const Change& change);
+
   void free_face(Face f);
   void free_vertex(Vertex v);
   void free_curve(Curve c);
@@ -390,7 +461,7 @@ class Surface {
   // By half-edge.
   std::vector<Vertex> org_;
   std::vector<HalfEdge> twin_;  // null: boundary
-  Rings rings_;                 // the boundary curves
+  internal::Rings rings_;       // the boundary curves
   // By face.
   std::vector<Component> component_;  // null: dead
   std::vector<Face> scratch_;         // queues of searches
@@ -403,11 +474,13 @@ class Surface {
   // By component.
   std::vector<Characteristic> counts_;  // s is 1; 0: dead
 
-  IdPool<Face> faces_;
-  IdPool<Vertex> vertices_;
-  IdPool<Curve> curves_;
-  IdPool<Component> components_;
+  internal::IdPool<Face> faces_;
+  internal::IdPool<Vertex> vertices_;
+  internal::IdPool<Curve> curves_;
+  internal::IdPool<Component> components_;
   Characteristic total_;
+
+  internal::Attachments data_;
 };
 
 }  // namespace clers

@@ -17,7 +17,7 @@
 
 #include "topology/ids.h"
 
-namespace clers {
+namespace clers::internal {
 
 // Two kinds of faces. Each says how the half-edges of a face follow each other, and keeps of a
 // destroyed triangle which one it was, in their order.
@@ -25,6 +25,7 @@ namespace clers {
 /// Triangles: what follows is arithmetic (ids.h).
 class TriangleFaces {
  public:
+  static constexpr bool only_triangles = true;
   /// A destroyed face keeps this in place of the twin of its first half-edge, and a note in place
   /// of that of the next.
   static constexpr HalfEdge destroyed_mark = HalfEdge(HalfEdge::null_index - 1);
@@ -58,13 +59,13 @@ class TriangleFaces {
 
 /// Polygons, their half-edges consecutive: cycles that lose an ear at a time.
 ///
-///          v_______u          The triangle at the gate a -> b is (a, b, v). Without it the
-///          half-edge
+///          v_______u          The triangle at the gate a -> b is (a, b, v). Without it the half-edge
 ///         / .       \         v -> a is no longer there; the diagonal v -> b takes its name.
 ///        /    .      \        So the next triangle is (v, b, u), and all are a fan around b.
 ///       a =gate=> b --'
 class PolygonFaces {
  public:
+  static constexpr bool only_triangles = false;
   /// Precondition: sizes of at least 3 that add up to the number of twins.
   PolygonFaces(std::span<HalfEdge> twins, std::span<const std::uint32_t> sizes)
       : sizes_(sizes), links_(twins.size()) {
@@ -218,6 +219,6 @@ class KeepTwins {
   std::uint32_t detached_ = 0;
 };
 
-}  // namespace clers
+}  // namespace clers::internal
 
 #endif

@@ -10,8 +10,7 @@ namespace clers {
 /// walked in step, so the cost is that of the others.
 ///
 ///              ^ starts[0]
-///     fan 1    |                 The edge of `cut` is still whole while this runs: a fan ends
-///     before
+///     fan 1    |                 The edge of `cut` is still whole while this runs: a fan ends before
 ///              |     fan 0       one of its sides, or at the boundary.
 ///   cut -------v
 void Surface::split_fans(std::span<const HalfEdge> starts, HalfEdge cut) {
@@ -46,7 +45,7 @@ void Surface::split_fans(std::span<const HalfEdge> starts, HalfEdge cut) {
       star_[whole.index()] = starts[i];
       continue;
     }
-    const Vertex v = new_vertex(starts[i], walks[i].corners, point(whole));
+    const Vertex v = new_vertex(starts[i], walks[i].corners, point(whole), whole);
     corners_[whole.index()] -= walks[i].corners;
     HalfEdge h = starts[i];
     for (std::uint32_t n = 0; n < walks[i].corners; ++n, h = sym(lprev(h))) org_[h.index()] = v;

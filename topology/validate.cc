@@ -2,6 +2,9 @@
 
 namespace clers {
 
+using internal::IdPool;
+using internal::Rings;
+
 /// The checks go in stages: each may follow the references that those before it have found good.
 class Validator {
  public:

@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "codec/base/faces.h"
 #include "codec/comparison/colours.h"
 #include "codec/error.h"
 #include "codec/mesh.h"
-#include "codec/soup/faces.h"
 
 namespace clers::internal {
 

@@ -8,11 +8,12 @@
 #include <string>
 #include <utility>
 
+#include "codec/base/no_index.h"
+
 namespace clers::internal {
 namespace {
 
 using Index = std::uint32_t;
-constexpr Index none = ~Index{0};
 
 /// The elements of one kind, of both meshes, in cells. A cell is the same range of both orders, so
 /// that it has as many elements of either mesh.
@@ -24,7 +25,7 @@ class Cells {
     for (std::size_t i = 0; i < a.size() && fits_; ++i)
       if (classes_a[i].first != classes_b[i].first) {
         fits_ = false;
-        odd_ = {classes_a[i].second, none};
+        odd_ = {classes_a[i].second, no_index};
       }
     fill(sides_[0], classes_a);
     fill(sides_[1], classes_b);
@@ -49,7 +50,7 @@ class Cells {
 
   /// A cell that has changed since it was last taken, or none.
   Index take() {
-    if (waiting_.empty()) return none;
+    if (waiting_.empty()) return no_index;
     const Index x = waiting_.back();
     waiting_.pop_back();
     is_waiting_[x] = false;
@@ -78,7 +79,7 @@ class Cells {
       if (m != marked_[1][x]) {
         fits_ = false;
         const std::size_t more = m > marked_[1][x] ? 0 : 1;
-        odd_ = {none, none};
+        odd_ = {no_index, no_index};
         odd_[more] = sides_[more].order[end_[x] - marked_[more][x]];
       }
       marked_[0][x] = marked_[1][x] = 0;
@@ -91,7 +92,7 @@ class Cells {
   /// A cell of several elements of each mesh, one that was made lately, or none.
   Index ambiguous() {
     while (!recent_.empty() && size(recent_.back()) == 1) recent_.pop_back();
-    return recent_.empty() ? none : recent_.back();
+    return recent_.empty() ? no_index : recent_.back();
   }
   /// Says that any element of the ambiguous() cell may become any other.
   void leave_ambiguous() { recent_.pop_back(); }
@@ -151,7 +152,7 @@ class Cells {
     for (Index i = low; i < end; ++i) {
       if (touches(0, i) != touches(1, i)) {
         fits_ = false;
-        odd_ = {sides_[0].order[i], none};
+        odd_ = {sides_[0].order[i], no_index};
         return false;
       }
       if (i == low || touches(0, i) != touches(0, i - 1)) parts_.push_back(i);
@@ -186,7 +187,7 @@ class Cells {
   std::vector<Index> waiting_, touched_, recent_;  // cells
   std::vector<Index> parts_;                       // of split
   bool fits_ = true;
-  std::array<Index, 2> odd_ = {none, none};
+  std::array<Index, 2> odd_ = {no_index, no_index};
 };
 
 /// The colours of vertices, told apart by their component.
@@ -235,7 +236,7 @@ class Refinement {
 
   Comparison run(std::vector<Index>& image) {
     if (!vertices_.fits() || !corners_.fits() || !refine()) return {Verdict::different, odd()};
-    for (Index x = vertices_.ambiguous(); x != none; x = vertices_.ambiguous()) {
+    for (Index x = vertices_.ambiguous(); x != no_index; x = vertices_.ambiguous()) {
       if (sides_[0]->stars.at(vertices_.elements(0, x)[0]).empty()) {  // no face uses them
         vertices_.leave_ambiguous();
         continue;
@@ -256,12 +257,12 @@ class Refinement {
   /// corners, a cell of corners by what comes next in faces and by how often a vertex has them.
   bool refine() {
     for (;;) {
-      if (const Index x = vertices_.take(); x != none) {
+      if (const Index x = vertices_.take(); x != no_index) {
         for (std::size_t s = 0; s < 2; ++s)
           for (const Index v : vertices_.elements(s, x))
             for (const Index c : sides_[s]->stars.at(v)) corners_.touch(s, c);
         if (!corners_.split()) return false;
-      } else if (const Index y = corners_.take(); y != none) {
+      } else if (const Index y = corners_.take(); y != no_index) {
         for (std::size_t s = 0; s < 2; ++s) {
           const auto elements = corners_.elements(s, y);
           splitter_[s].assign(elements.begin(), elements.end());  // touching changes the order
@@ -283,7 +284,7 @@ class Refinement {
   std::string odd() const {
     const bool vertex = !vertices_.fits();
     const std::array<Index, 2> at = vertex ? vertices_.odd() : corners_.odd();
-    const std::size_t s = at[0] != none ? 0 : 1;
+    const std::size_t s = at[0] != no_index ? 0 : 1;
     const Index element = vertex ? at[s] : sides_[s]->mesh.faces.face(at[s]);
     return std::string(vertex ? "vertex " : "face ") + std::to_string(element) + " of the " +
            (s == 0 ? "first" : "second") +

@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "codec/compare.h"
 #include "codec/comparison/isomorphism.h"
+#include "codec/verdict.h"
 
 namespace clers::internal {
 

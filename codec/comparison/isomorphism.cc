@@ -3,31 +3,22 @@
 #include <algorithm>
 #include <numeric>
 
+#include "codec/base/no_index.h"
+
 namespace clers::internal {
 namespace {
 
 using Index = std::uint32_t;
-constexpr Index none = ~Index{0};
 
 }  // namespace
 
 Stars::Stars(const ComparedMesh& mesh)
-    : faces_(mesh.faces), begin_(mesh.vertices() + std::size_t{1}), corners_(mesh.corners()) {
-  // Radix sort by (vertex, next vertex). The scatter moves each begin to its end, so one further.
-  std::vector<Index> by_next(mesh.corners()), place;
-  const auto starts = [&](auto vertex_of) {
-    place.assign(mesh.vertices() + std::size_t{1}, 0);
-    for (Index c = 0; c < mesh.corners(); ++c) ++place[vertex_of(c) + std::size_t{1}];
-    std::inclusive_scan(place.begin(), place.end(), place.begin());
-  };
-  const auto own = [&](Index c) { return faces_.org[c]; };
-  const auto next = [&](Index c) { return faces_.org[faces_.next(c)]; };
-  starts(next);
-  for (Index c = 0; c < mesh.corners(); ++c) by_next[place[next(c)]++] = c;
-  starts(own);
-  begin_ = place;
-  for (const Index c : by_next) corners_[place[own(c)]++] = c;
-}
+    : faces_(mesh.faces), corners_([&] {
+        const auto own = [&](Index c) { return faces_.org[c]; };
+        const auto next = [&](Index c) { return faces_.org[faces_.next(c)]; };
+        const std::vector<Index> by_next = Buckets(mesh.corners(), mesh.vertices(), next).items();
+        return Buckets(by_next, mesh.vertices(), own);
+      }()) {}
 
 std::span<const Index> Stars::along(Index u, Index v) const {
   const auto all = at(u);
@@ -39,8 +30,8 @@ std::span<const Index> Stars::along(Index u, Index v) const {
 }
 
 Isomorphism::Isomorphism(const ComparedMesh& mesh, std::uint64_t budget)
-    : image_(mesh.vertices(), none),
-      origin_(mesh.vertices(), none),
+    : image_(mesh.vertices(), no_index),
+      origin_(mesh.vertices(), no_index),
       matched_from_(mesh.faces.count()),
       matched_to_(mesh.faces.count()),
       budget_(budget) {}
@@ -71,8 +62,8 @@ Verdict Isomorphism::search(const Side& from, Index k, const Side& to, Index l) 
 
 void Isomorphism::go_back_to(const Choice& choice) {
   for (; vertices_.size() > choice.vertices; vertices_.pop_back()) {
-    origin_[image_[vertices_.back()]] = none;
-    image_[vertices_.back()] = none;
+    origin_[image_[vertices_.back()]] = no_index;
+    image_[vertices_.back()] = no_index;
   }
   for (; matches_.size() > choice.matches; matches_.pop_back()) {
     matched_from_[matches_.back().first] = false;
@@ -133,7 +124,7 @@ bool Isomorphism::match(Index from, Index to) {
     const Index u = a.faces.org[from], v = b.faces.org[to];
     if (a.value_of_corner(from) != b.value_of_corner(to) || a.colour[u] != b.colour[v])
       return false;
-    if (image_[u] == none && origin_[v] == none) {
+    if (image_[u] == no_index && origin_[v] == no_index) {
       image_[u] = v;
       origin_[v] = u;
       vertices_.push_back(u);
@@ -178,7 +169,7 @@ bool Isomorphism::match_along(Index u, Index v) {
   // An edge of many faces. Those that differ in what is known of them are no choice.
   for (auto& [h, c] : along_from_) h = known(from_->mesh, c, [&](Index w) { return image_[w]; });
   for (auto& [h, c] : along_to_)
-    h = known(to_->mesh, c, [&](Index w) { return origin_[w] == none ? none : w; });
+    h = known(to_->mesh, c, [&](Index w) { return origin_[w] == no_index ? no_index : w; });
   std::sort(along_from_.begin(), along_from_.end());
   std::sort(along_to_.begin(), along_to_.end());
   for (std::size_t i = 0, j; i < along_from_.size(); i = j) {
@@ -209,7 +200,7 @@ Colour Isomorphism::known(const ComparedMesh& mesh, Index c, Name name) {
   for (Index j = 0; j < n; ++j, c = mesh.faces.next(c)) {
     ++work_;
     const Index v = mesh.faces.org[c], number = name(v);
-    h = combine(h, number == none ? mesh.colour[v] : mix(number));
+    h = combine(h, number == no_index ? mesh.colour[v] : mix(number));
     h = combine(h, mesh.value_of_corner(c));
   }
   return h;
@@ -217,7 +208,7 @@ Colour Isomorphism::known(const ComparedMesh& mesh, Index c, Name name) {
 
 bool Isomorphism::has_unknown(Index f) const {
   const auto cycle = from_->mesh.faces.cycle(f);
-  return std::any_of(cycle.begin(), cycle.end(), [&](Index v) { return image_[v] == none; });
+  return std::any_of(cycle.begin(), cycle.end(), [&](Index v) { return image_[v] == no_index; });
 }
 
 }  // namespace clers::internal

@@ -12,9 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "codec/compare.h"
+#include "codec/base/buckets.h"
 #include "codec/comparison/compared_mesh.h"
 #include "codec/comparison/components.h"
+#include "codec/verdict.h"
 
 namespace clers::internal {
 
@@ -24,15 +25,13 @@ class Stars {
   /// Cost: linear (two passes of counting sort).
   explicit Stars(const ComparedMesh& mesh);
 
-  std::span<const std::uint32_t> at(std::uint32_t v) const {
-    return std::span(corners_).subspan(begin_[v], begin_[v + 1] - begin_[v]);
-  }
+  std::span<const std::uint32_t> at(std::uint32_t v) const { return corners_[v]; }
   /// The corners at u whose face runs on to v. Cost: a binary search.
   std::span<const std::uint32_t> along(std::uint32_t u, std::uint32_t v) const;
 
  private:
   const Faces& faces_;
-  std::vector<std::uint32_t> begin_, corners_;
+  Buckets corners_;
 };
 
 /// A coloured mesh with its components and stars.

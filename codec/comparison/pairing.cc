@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "codec/base/no_index.h"
+
 namespace clers::internal {
 namespace {
 
@@ -18,7 +20,7 @@ class Pairing {
         b_(b),
         search_(a.mesh, enough + 400 * std::uint64_t{a.mesh.corners()}),
         like_(a.mesh.vertices()),
-        image_(a.mesh.vertices(), none) {}
+        image_(a.mesh.vertices(), no_index) {}
 
   /// same: the image is complete, up to collisions of colours.
   Comparison run() {
@@ -42,7 +44,6 @@ class Pairing {
   std::vector<Index> take_image() { return std::move(image_); }
 
  private:
-  static constexpr Index none = ~Index{0};
   /// Visits of corners, a second or two. A component whose first guess holds needs ten a corner.
   static constexpr std::uint64_t enough = 1u << 25;
 
@@ -98,7 +99,7 @@ class Pairing {
     std::vector<bool> taken(image_.size());
     Classes rest_a, rest_b;
     for (Index v = 0; v < image_.size(); ++v)
-      if (image_[v] == none)
+      if (image_[v] == no_index)
         rest_a.push_back({a_.mesh.colour[v], v});
       else
         taken[image_[v]] = true;

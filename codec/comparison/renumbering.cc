@@ -2,32 +2,23 @@
 
 #include <algorithm>
 
+#include "codec/base/least_rotation.h"
+
 namespace clers::internal {
 namespace {
 
 using Index = std::uint32_t;
 
 /// Where the least rotation of a face's cycle starts, vertices numbered by `number`, ties broken by
-/// the corners' bits. Linear: two candidates race, and the loser skips what it shared.
+/// the corners' bits.
 template <class Number>
-Index least_rotation(const ComparedMesh& mesh, Index f, Number number) {
-  const Index begin = mesh.faces.begin(f), n = mesh.faces.size(f);
-  const auto corner = [&](Index j) { return begin + (j >= n ? j - n : j); };
-  Index i = 0, j = 1, k = 0;
-  while (i < n && j < n && k < n) {
-    const Index x = corner(i + k), y = corner(j + k);
-    const Index nx = number(mesh.faces.org[x]), ny = number(mesh.faces.org[y]);
-    const int order =
-        nx != ny ? (nx < ny ? -1 : 1) : mesh.compare_values(Domain::corner, x, mesh, y);
-    if (order == 0) {
-      ++k;
-      continue;
-    }
-    (order > 0 ? i : j) += k + 1;
-    if (i == j) ++j;
-    k = 0;
-  }
-  return std::min(i, j);
+Index least_rotation_of(const ComparedMesh& mesh, Index f, Number number) {
+  const Index begin = mesh.faces.begin(f);
+  return least_rotation(mesh.faces.size(f), [&](Index x, Index y) {
+    const Index nx = number(mesh.faces.org[begin + x]), ny = number(mesh.faces.org[begin + y]);
+    return nx != ny ? (nx < ny ? -1 : 1)
+                    : mesh.compare_values(Domain::corner, begin + x, mesh, begin + y);
+  });
 }
 
 /// The faces by a hash of their least rotation, and where that starts.
@@ -37,7 +28,7 @@ Classes cycles(const ComparedMesh& mesh, Number number, std::vector<Index>& star
   std::vector<Colour> hashes(mesh.faces.count());
   for (Index f = 0; f < mesh.faces.count(); ++f) {
     const Index n = mesh.faces.size(f), begin = mesh.faces.begin(f);
-    start[f] = least_rotation(mesh, f, number);
+    start[f] = least_rotation_of(mesh, f, number);
     Colour h = combine(n, mesh.value_of_face(f));
     for (Index j = 0; j < n; ++j) {
       const Index c = begin + (start[f] + j < n ? start[f] + j : start[f] + j - n);

@@ -13,7 +13,6 @@
 #include "codec/error.h"
 #include "codec/symbols/symbol_model.h"
 #include "topology/ids.h"
-#include "topology/mirror.h"
 
 namespace clers::internal {
 
@@ -49,11 +48,11 @@ Expected<EncodedConnectivity> encode_connectivity(SurfaceArrays surface, int lev
                                                   bool with_twins = false);
 
 /// The same bytes, with every operator run on a full surface too and the surface validated; `trace`
-/// receives the operators of the unbuilding as the surface found them. Of polygons these are the
+/// receives the operators of the unbuilding as the surface found them (OperatorTrace). Of polygons these are the
 /// operators on their triangles, which must be unbuilt in the same way. Slow. Errors: as above, and
 /// internal if the two do not agree.
 Expected<EncodedConnectivity> encode_connectivity_on_surface(SurfaceArrays surface, int level,
-                                                             OperatorTrace& trace);
+                                                             std::vector<std::uint8_t>& trace);
 
 /// Corners of the triangles of a surface in coded order, as vertices of the surface; of `surface`
 /// the twins are not looked at. Cost: linear.

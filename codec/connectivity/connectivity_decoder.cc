@@ -7,7 +7,9 @@
 #include "codec/connectivity/spirale_reversi.h"
 #include "codec/connectivity/stream_source.h"
 #include "codec/entropy/bytes.h"
+#ifdef CLERS_BOOKKEEPING
 #include "topology/mirror.h"
+#endif
 
 namespace clers::internal {
 namespace {
@@ -54,12 +56,6 @@ void reverse_faces(std::span<HalfEdge> twins) {
     if (h) h = half_edge(Face(last - left(h).index()), corner(h));
 }
 
-#ifdef CLERS_BOOKKEEPING
-constexpr bool bookkeeping = true;
-#else
-constexpr bool bookkeeping = false;
-#endif
-
 template <class Source>
 Expected<ConnectivityCounts> decode(Source& source, std::uint64_t end,
                                     const ConnectivityHeader& header,
@@ -75,18 +71,23 @@ Expected<ConnectivityCounts> decode(Source& source, std::uint64_t end,
   building.merged.reserve(header.merges);
 
   StreamError breakage;
+#ifdef CLERS_BOOKKEEPING
+  std::optional<BuildingMirror> mirror;
+#endif
   if (!twins.empty()) {
     std::vector<HalfEdge> into(ids);
     Opposites pairing(twins, into);
     breakage = SpiraleReversi<Opposites, Source>(building, pairing, source).run();
-  } else if constexpr (bookkeeping) {
-    BuildingMirror pairing(ids);
-    breakage = SpiraleReversi<BuildingMirror, Source>(building, pairing, source).run();
-    if (!pairing.agrees)
-      return fail(ErrorCode::internal, "the front and the full surface do not agree");
   } else {
+#ifdef CLERS_BOOKKEEPING
+    mirror.emplace(ids);
+    breakage = SpiraleReversi<BuildingMirror, Source>(building, *mirror, source).run();
+    if (!mirror->agrees)
+      return fail(ErrorCode::internal, "the front and the full surface do not agree");
+#else
     NoPairing pairing;
     breakage = SpiraleReversi<NoPairing, Source>(building, pairing, source).run();
+#endif
   }
   if (breakage.broken != StreamFault::none) return broken_stream(breakage);
   if (building.finished != header.vertices)
@@ -94,6 +95,10 @@ Expected<ConnectivityCounts> decode(Source& source, std::uint64_t end,
   if (!source.finished())
     return fail(ErrorCode::invalid, Place::byte, end, "the symbols do not end where the data end");
   number_vertices(building, introduced_by);
+#ifdef CLERS_BOOKKEEPING
+  if (mirror && !mirror->same_vertices(corners))
+    return fail(ErrorCode::internal, "the vertices are not those of the full surface");
+#endif
   // Only the glue of a hole or handle can bring together two vertices of one face.
   if (source.counts.coded_holes + source.counts.handles > 0 && repeats_a_vertex(corners))
     return broken_stream({StreamFault::position, header.faces});

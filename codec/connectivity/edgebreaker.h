@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 #include <vector>
 
+#include "codec/base/portable.h"
 #include "codec/symbols/symbol.h"
 #include "topology/unbuild.h"
 
@@ -83,7 +83,7 @@ struct Traversal {
 /// entered, so valences are not to be had of polygons here.
 template <class Faces, class Witness, bool valences>
 class Edgebreaker {
-  static_assert(!valences || std::is_same_v<Faces, TriangleFaces>);
+  static_assert(!valences || Faces::only_triangles);
 
  public:
   Edgebreaker(SurfaceArrays surface, Witness& witness)
@@ -204,7 +204,7 @@ class Edgebreaker {
     Clers symbol = last_;
     for (;;) {
       const HalfEdge right_side = surface.next(gate), left_side = surface.prev(gate);
-      if (enters) gates[entered++] = gate;
+      if (enters) gates[Faces::only_triangles ? count : entered++] = gate;
       enters = surface.is_triangle(gate);
       // Beyond a diagonal is what is left of the face.
       const HalfEdge right = enters ? surface.sym(right_side) : left_side;
@@ -269,8 +269,8 @@ class Edgebreaker {
   ///            left part  v  right part
   ///           . . . . .  / \  . . . . .
   ///          left_gate  /   \  right
-  [[gnu::noinline]] void part(HalfEdge gate, HalfEdge left_gate, HalfEdge right,
-                              std::uint32_t index) {
+  CLERS_NEVER_INLINE void part(HalfEdge gate, HalfEdge left_gate, HalfEdge right,
+                               std::uint32_t index) {
     const std::uint32_t v = org(right);
     // The part where the boundary shows first, looking from both sides in turn, is the smaller one.
     HalfEdge r = right, l = left_gate, next;

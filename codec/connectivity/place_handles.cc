@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "codec/base/portable.h"
 #include "codec/connectivity/spirale_reversi.h"
 #include "codec/symbols/symbol.h"
 #include "topology/front.h"
@@ -30,7 +31,7 @@ class PlacingSource {
 
   void first() { --index_; }
   template <class Front, class Gate, class Then>
-  [[gnu::always_inline]] auto symbol(const Front&, const Gate& gate, std::size_t, Then then) {
+  CLERS_ALWAYS_INLINE auto symbol(const Front&, const Gate& gate, std::size_t, Then then) {
     std::uint8_t& context = traversal_.contexts[faces_ - index_--];
     if constexpr (valences)
       context = static_cast<std::uint8_t>(context | std::min(gate.kx, Traversal::max_valence) << 3);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "codec/base/portable.h"
 #include "codec/connectivity/spirale_reversi.h"
 
 namespace clers::internal {
@@ -32,7 +33,7 @@ class RecordingSource {
 
   void first() { step(0); }
   template <class Front, class Gate, class Then>
-  [[gnu::always_inline]] auto symbol(const Front&, const Gate& gate, std::size_t, Then then) {
+  CLERS_ALWAYS_INLINE auto symbol(const Front&, const Gate& gate, std::size_t, Then then) {
     step(gate.kx);
     return with_symbol(traversal_.symbol(index_), then);
   }

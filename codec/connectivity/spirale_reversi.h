@@ -1,9 +1,10 @@
-// Spirale Reversi (paper §7.2, Algorithm 3): builds a surface from its CLERS string read backwards.
+// Spirale Reversi (CAGD 2010, §7.2, Algorithm 3): builds a surface from its CLERS string read
+// backwards.
 //
-// One driver for the decoder, which takes symbols from a stream, and the encoder, which already
-// knows them and learns here in which context the decoder will meet each. errata: C needs a zip
-// after attach, S a glue, and holes, handles and the closing edge are missing in the printed
-// algorithm.
+// One driver for the decoder, which takes symbols from a stream, and for the encoder where it
+// builds a surface again: to count along curves (place_handles.cc) and to look around a gate. The
+// printed algorithm only attaches; what C, S, holes, handles and the closing edge need besides is
+// in topology/errata.md.
 //
 // Faces are written last to first, so that they come out in the order in which the encoder met
 // them; side 0 of each is its gate.
@@ -14,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "codec/base/portable.h"
 #include "codec/connectivity/curve_index.h"
 #include "codec/connectivity/waiting_curves.h"
 #include "codec/symbols/symbol.h"
@@ -97,8 +99,8 @@ class SpiraleReversi {
     write(out -= 3, c);
 
     for (std::uint32_t i = 1; i < faces; ++i) {
-      const StreamFault broken = source_.symbol(
-          front, gate, aside_.size(), [&](auto symbol) __attribute__((always_inline)) {
+      const StreamFault broken =
+          source_.symbol(front, gate, aside_.size(), [&](auto symbol) CLERS_INLINE_LAMBDA {
             if constexpr (symbol() == Clers::C) {
               const std::uint32_t x = gate.x;
               if (front.prev(x) == gate.y) return StreamFault::c_on_two_edges;
@@ -162,7 +164,7 @@ class SpiraleReversi {
 
   /// S that does not join to the gate put aside last: to an edge of the same curve (1b), or to one
   /// of a curve split off before (1c). Rare and long, so it works on copies.
-  [[gnu::noinline]] Step special(Gate gate, Face f) {
+  CLERS_NEVER_INLINE Step special(Gate gate, Face f) {
     std::uint32_t q = 0;
     HandleCase as = HandleCase::split_curve;
     const StreamFault broken = special_vertex(gate, q, as);
@@ -249,7 +251,8 @@ class SpiraleReversi {
 
   /// What is left of the boundary is final: the holes, and the curve of the gate. Returns how many
   /// vertices are finished now.
-  [[gnu::noinline]] std::uint32_t end_component(Gate gate, std::uint32_t finished) {
+  CLERS_NEVER_INLINE std::uint32_t end_component(Gate gate, std::uint32_t finished) {
+    front_.end_component(gate, holes_);
     if (front_.prev(gate.x) == gate.y && source_.closed()) front_.close(gate);
     for (const std::uint32_t hole : holes_) finished = finish_curve(hole, hole, finished);
     holes_.clear();

@@ -7,6 +7,7 @@
 #include <span>
 #include <type_traits>
 
+#include "codec/base/portable.h"
 #include "codec/connectivity/connectivity.h"
 #include "codec/connectivity/event_model.h"
 #include "codec/entropy/coder.h"
@@ -36,13 +37,12 @@ class StreamSource {
     ++counts.symbols[static_cast<unsigned>(Clers::E)];
   }
   template <class Front, class Gate, class Then>
-  [[gnu::always_inline]] auto symbol(const Front& front, const Gate& gate, std::size_t aside,
-                                     Then then) {
-    return symbols_.decode(
-        in_, front, gate, aside, [&](auto symbol) __attribute__((always_inline)) {
-          ++counts.symbols[static_cast<unsigned>(symbol())];
-          return then(symbol);
-        });
+  CLERS_ALWAYS_INLINE auto symbol(const Front& front, const Gate& gate, std::size_t aside,
+                                  Then then) {
+    return symbols_.decode(in_, front, gate, aside, [&](auto symbol) CLERS_INLINE_LAMBDA {
+      ++counts.symbols[static_cast<unsigned>(symbol())];
+      return then(symbol);
+    });
   }
   bool finished() const {
     if constexpr (std::is_same_v<Model, PrefixCode>)

@@ -11,6 +11,8 @@
 #include <span>
 #include <vector>
 
+#include "codec/base/portable.h"
+
 namespace clers::internal::rans {
 
 inline constexpr unsigned scale_bits = 15;
@@ -92,7 +94,7 @@ class Decoder {
   std::uint32_t slot() const { return state_ & (scale - 1); }
 
   /// Goes past the interval that slot() lies in.
-  [[gnu::always_inline]] void advance(std::uint32_t start, std::uint32_t size) {
+  CLERS_ALWAYS_INLINE void advance(std::uint32_t start, std::uint32_t size) {
     state_ = size * (state_ >> scale_bits) + slot() - start;
     if (state_ < low && next_ != end_) state_ = state_ << 16 | word();
   }

@@ -1,7 +1,8 @@
-// The order that vertices, faces and first corners had in the input, where it is kept.
+// The order that vertices, faces and first corners had in the input, where it is kept: a stream,
+// and the section of it. Knows the faces of a decoded mesh. codec/format.md, Order.
 //
-// Faces of a file mostly follow their neighbours, so the order is told as a walk over the decoded
-// mesh: across which side of a face before the next one lies, and with which corner it begins. Its
+// Faces of a file mostly follow their neighbours, so the order is coded as a walk over the decoded
+// mesh: across which side of a face before the next one is, and with which corner it begins. Its
 // new vertices mostly have the next number, or one that continues a grid.
 #ifndef CLERS_CODEC_FILE_FILE_ORDER_H
 #define CLERS_CODEC_FILE_FILE_ORDER_H
@@ -10,12 +11,16 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <type_traits>
+#include <string>
+#include <utility>
 #include <vector>
 
-#include "codec/entropy/coder.h"
+#include "codec/base/faces.h"
+#include "codec/base/no_index.h"
+#include "codec/entropy/stream.h"
+#include "codec/file/permutation.h"
+#include "codec/order.h"
 #include "codec/soup/edges.h"
-#include "codec/soup/faces.h"
 
 namespace clers::internal {
 
@@ -49,18 +54,17 @@ class FileOrderCoder {
            std::max(edges_memory(corners, vertices), each * vertices);
   }
 
-  /// A Coder that encodes is told the order; one that decodes fills it in. False: what was decoded
-  /// is no order.
+  /// A coder that decodes fills in the order. False: what was decoded is no order.
   template <class Coder>
   bool code(Coder& coder, FileOrder& order) {
-    constexpr bool decoding = std::is_same_v<Coder, DecodeFrom>;
+    constexpr bool decoding = !Coder::encodes;
     const std::uint32_t count = faces_.count();
     if constexpr (decoding) {
-      order.faces.assign(count, unknown);
+      order.faces.assign(count, no_index);
       order.first_corners.assign(count, 0);
-      order.vertices.assign(vertex_count_, unknown);
+      order.vertices.assign(vertex_count_, no_index);
     }
-    known_.assign(vertex_count_, unknown);
+    known_.assign(vertex_count_, no_index);
     for (std::uint32_t j = 0; j < count; ++j) {
       const Step step = code_face(coder, order, j);
       if (step.face >= count || done_[step.face]) return false;
@@ -68,14 +72,14 @@ class FileOrderCoder {
       order.faces[j] = step.face;
       done_[step.face] = true;
       if (size == 0) continue;
-      const std::uint32_t entry = step.entry == unknown ? 0 : step.entry - begin;
+      const std::uint32_t entry = step.entry == no_index ? 0 : step.entry - begin;
       const std::uint32_t turn =
           first_[step.slot].code(coder, (order.first_corners[j] + size - entry % size) % size);
       if (turn >= size) return false;
       order.first_corners[j] = (turn + entry) % size;
       for (std::uint32_t i = 0; i < size; ++i) {
         const std::uint32_t v = faces_.org[begin + (order.first_corners[j] + i) % size];
-        if (known_[v] != unknown) continue;
+        if (known_[v] != no_index) continue;
         const std::uint32_t number = code_vertex(coder, step.entry, order.vertices[v]);
         if (number >= vertex_count_ || number_taken_[number]) return false;
         known_[v] = order.vertices[v] = number;
@@ -88,7 +92,7 @@ class FileOrderCoder {
       // Vertices that no face has kept their order.
       std::uint32_t number = 0;
       for (std::uint32_t& v : order.vertices) {
-        if (v != unknown) continue;
+        if (v != no_index) continue;
         while (number_taken_[number]) ++number;
         v = number++;
       }
@@ -97,13 +101,12 @@ class FileOrderCoder {
   }
 
  private:
-  static constexpr std::uint32_t unknown = 0xffffffffu;
   static constexpr unsigned sides_looked_at = 4, slots = 3 * sides_looked_at + 2;
 
   struct Step {
-    std::uint32_t face = unknown;
-    std::uint32_t entry = unknown;  ///< its side that another face led across
-    unsigned slot = slots;          ///< which guess was right; slots: none
+    std::uint32_t face = no_index;
+    std::uint32_t entry = no_index;  ///< its side that another face led across
+    unsigned slot = slots;           ///< which guess was right; slots: none
   };
 
   template <class Coder>
@@ -135,9 +138,9 @@ class FileOrderCoder {
   bool guess(IsIt is_it, const FileOrder& order, std::uint32_t j) {
     const std::uint32_t last = order.faces[j - 1];
     if (across(is_it, order, j - 1, 0)) return true;
-    if (last + 1 < faces_.count() && !done_[last + 1] && is_it(last + 1, unknown, slots - 2))
+    if (last + 1 < faces_.count() && !done_[last + 1] && is_it(last + 1, no_index, slots - 2))
       return true;
-    if (last > 0 && !done_[last - 1] && is_it(last - 1, unknown, slots - 1)) return true;
+    if (last > 0 && !done_[last - 1] && is_it(last - 1, no_index, slots - 1)) return true;
     if (j > 1 && across(is_it, order, j - 2, sides_looked_at)) return true;
     // The earliest face that has a neighbour left: where the next row begins.
     while (oldest_ < j && !has_neighbour_left(order.faces[oldest_])) ++oldest_;
@@ -150,7 +153,7 @@ class FileOrderCoder {
     const std::uint32_t f = order.faces[i], size = faces_.size(f);
     for (std::uint32_t s = 0; s < std::min(size, sides_looked_at); ++s) {
       const std::uint32_t g = neighbour(faces_.begin(f) + (order.first_corners[i] + s) % size);
-      if (g != unknown && is_it(faces_.face(g), g, slot + s)) return true;
+      if (g != no_index && is_it(faces_.face(g), g, slot + s)) return true;
     }
     return false;
   }
@@ -160,12 +163,12 @@ class FileOrderCoder {
     std::uint32_t g = around_[h];
     for (unsigned i = 0; i < 4 && g != h; ++i, g = around_[g])
       if (!done_[faces_.face(g)]) return g;
-    return unknown;
+    return no_index;
   }
   bool has_neighbour_left(std::uint32_t f) const {
     const std::uint32_t begin = faces_.begin(f), size = std::min(faces_.size(f), sides_looked_at);
     for (std::uint32_t h = begin; h < begin + size; ++h)
-      if (neighbour(h) != unknown) return true;
+      if (neighbour(h) != no_index) return true;
     return false;
   }
 
@@ -187,13 +190,13 @@ class FileOrderCoder {
 
   /// a + b - c by old numbers: c is the corner behind the side that leads here, in a face before.
   std::uint32_t parallelogram(std::uint32_t entry) const {
-    if (entry == unknown) return unknown;
+    if (entry == no_index) return no_index;
     std::uint32_t g = around_[entry];
     for (unsigned i = 0; i < 4 && !done_before(g, entry); ++i) g = around_[g];
-    if (!done_before(g, entry)) return unknown;
+    if (!done_before(g, entry)) return no_index;
     const std::uint32_t a = known_[faces_.org[g]], b = known_[faces_.org[faces_.next(g)]],
                         c = known_[faces_.org[faces_.prev(g)]];
-    return a == unknown || b == unknown || c == unknown ? unknown : a + b - c;
+    return a == no_index || b == no_index || c == no_index ? no_index : a + b - c;
   }
   bool done_before(std::uint32_t g, std::uint32_t entry) const {
     return done_[faces_.face(g)] && faces_.face(g) != faces_.face(entry);
@@ -207,7 +210,7 @@ class FileOrderCoder {
   std::vector<std::uint32_t> known_;  ///< old numbers of new vertices, so far
   std::uint32_t first_left_ = 0;      ///< no new face before it is left
   std::uint32_t oldest_ = 0;          ///< no old face before it has a neighbour left
-  std::uint32_t last_ = 0xffffffffu, highest_ = 0;
+  std::uint32_t last_ = no_index, highest_ = 0;
   std::array<std::uint32_t, slots> tried_faces_{};
   unsigned tried_ = 0;
   unsigned before_[2] = {slots, slots};
@@ -217,6 +220,55 @@ class FileOrderCoder {
   NumberModel far_face_, far_vertex_;
   BitModel number_[4][3];
 };
+
+/// The order of the input, where `order` is that of the coded mesh. `faces`: of the input.
+inline Bytes encode_order(const Cycles& faces, const Permutation& order) {
+  FileOrder file;
+  file.vertices = order.vertices;
+  file.faces = inverse(order.faces);
+  file.first_corners.resize(order.faces.size());
+  for (std::uint32_t i = 0; i < order.faces.size(); ++i) {
+    const std::uint32_t f = order.faces[i], first = order.first_corners[i];
+    file.first_corners[f] = first == 0 ? 0 : faces.size(f) - first;
+  }
+  const PermutedFaces coded = permuted(faces, order);
+  return encode_stream([&](EncodeTo& coder) {
+    FileOrderCoder({coded.corners, coded.sizes}, static_cast<std::uint32_t>(order.vertices.size()))
+        .code(coder, file);
+  });
+}
+
+/// Brings a decoded mesh into the order of the input, values too. Error: invalid.
+inline Expected<Done> restore_order(const Stream& stream, Mesh& mesh) {
+  const Faces faces(mesh.corners, mesh.face_sizes);
+  FileOrder file;
+  auto ok = decode_stream(stream, "the orders", [&](DecodeFrom& coder) {
+    return FileOrderCoder(faces, mesh.vertex_count).code(coder, file)
+               ? std::string()
+               : "the order names a face or a vertex twice, or none";
+  });
+  if (!ok) return ok;
+  const Permutation order{inverse(std::exchange(file.vertices, {})), std::move(file.faces),
+                          std::move(file.first_corners)};
+  PermutedFaces restored = permuted(faces, order);
+  for (Attribute& a : mesh.attributes) a.data = permuted_values(a, faces, order);
+  mesh.corners = std::move(restored.corners);
+  mesh.face_sizes = std::move(restored.sizes);
+  return ok;
+}
+
+/// Bytes that restore_order takes besides the mesh; `sizes`: has it any? `values`: the most that an
+/// attribute of it takes.
+inline std::uint64_t restoring_memory(std::uint64_t corners, std::uint64_t faces,
+                                      std::uint64_t vertices, bool sizes, std::uint64_t values) {
+  constexpr std::uint64_t each = sizeof(std::uint32_t);
+  const std::uint64_t view = Faces::memory(corners, faces, sizes),
+                      order = each * (2 * faces + vertices),
+                      restored = each * (corners + (sizes ? faces : 0));
+  return view + order +
+         std::max(view + FileOrderCoder::memory(corners, faces, vertices),
+                  restored + std::max(each * vertices, values));
+}
 
 }  // namespace clers::internal
 

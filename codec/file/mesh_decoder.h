@@ -11,7 +11,6 @@
 #include "codec/error.h"
 #include "codec/file/mesh_reader.h"
 #include "codec/mesh.h"
-#include "codec/piece.h"
 
 namespace clers::internal {
 
@@ -19,7 +18,7 @@ namespace clers::internal {
 struct DecodedPiece {
   Mesh mesh;
   ConnectivityCounts counts;
-  std::uint64_t turned_faces = 0;
+  std::uint64_t reversed_faces = 0;
 };
 
 enum class Values : bool { skip, decode };
@@ -32,9 +31,6 @@ struct PieceMemory {
   std::uint64_t peak() const { return std::max(faces, values); }
 };
 PieceMemory memory_of(const PieceSections& sections, Values values);
-
-/// Bytes that put_piece takes, and decode_seam.
-std::uint64_t numbering_memory(const PieceSections& sections);
 
 /// Bytes of the mesh that make_room makes.
 std::uint64_t room_memory(const MeshSections& sections, Values values);
@@ -54,21 +50,8 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
 Expected<Done> decode_triangles(const PieceSections& sections, std::span<std::uint32_t> corners,
                                 std::span<HalfEdge> twins = {});
 
-/// The vertices of pieces before, in the order of the piece. Errors: invalid.
-Expected<std::vector<SharedVertex>> decode_seam(const PieceSections& sections);
-
-/// Gives the corners of a piece the numbers of its mesh: those that pieces before gave to vertices
-/// of the seam, the others from sections.first_vertex on. Returns them for all vertices that a
-/// corner can name. Errors: invalid.
-Expected<std::vector<std::uint32_t>> number_piece(const PieceSections& sections,
-                                                  std::span<std::uint32_t> corners);
-
 /// A mesh with room for all that its pieces will be.
 Mesh make_room(const MeshSections& sections, Values values);
-
-/// Puts a decoded piece where it belongs. Calls for different pieces may run at the same time.
-/// Errors: invalid.
-Expected<Done> put_piece(const PieceSections& sections, const Mesh& piece, Mesh& whole);
 
 /// What is left to do when all pieces are there: the order of the file, where that was kept; values
 /// too. Errors: invalid.

@@ -36,20 +36,6 @@ Expected<Done> check(const Mesh& mesh, const EncodeOptions& options);
 /// Takes the stage of the work and the share of it that is done.
 using Progress = std::function<void(std::string_view stage, double share)>;
 
-struct CodedFaces {
-  std::vector<std::uint32_t> corners, sizes;
-};
-/// The faces as they are decoded, before they are put into the order of the file.
-CodedFaces in_coded_order(const Mesh& mesh, const Permutation& order);
-
-/// The order of the file, told along the decoded mesh.
-Bytes encode_order(const Mesh& mesh, const Permutation& order, const CodedFaces& coded);
-
-/// The attribute with its values in the order of the decoded mesh.
-Attribute in_coded_order(const Attribute& attribute, const Mesh& mesh, const Permutation& order);
-
-void set_identity(const Mesh& mesh, Permutation& order);
-
 /// Encodes in one piece. `progress` takes shares of this mesh. Threads are for its attributes.
 /// Precondition: check() has passed it. Errors: internal, limit.
 /// Throws std::bad_alloc only.

@@ -1,10 +1,9 @@
-// What a mesh has besides a triangulated surface: codec/format.md, Mesh.
+// Which streams a mesh has besides a triangulated surface: the first byte of a mesh section.
+// codec/format.md, Mesh.
 #ifndef CLERS_CODEC_FILE_MESH_FEATURES_H
 #define CLERS_CODEC_FILE_MESH_FEATURES_H
 
 #include <cstdint>
-
-#include "topology/ids.h"
 
 namespace clers::internal {
 
@@ -20,12 +19,6 @@ inline constexpr std::uint32_t folded = 64;     ///< triangles on two vertices o
 inline constexpr std::uint32_t on_surface =
     reversed | polygons | copies | degenerate | repeats | folded;
 }  // namespace feature
-
-/// So that every corner has a number, and triangles made of polygons have.
-inline constexpr std::uint64_t max_corners = 3 * std::uint64_t(max_faces);
-
-/// A decision takes at least log2(32768 / 32736) bits, so a byte holds fewer than this many.
-inline constexpr std::uint64_t max_decisions_per_byte = 8192;
 
 }  // namespace clers::internal
 

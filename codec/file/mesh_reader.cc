@@ -19,28 +19,29 @@ Failure<Error> over(std::uint64_t at, Limited limited, const char* what, std::ui
   return failure;
 }
 
-PieceSections::Stream read_stream(ByteReader& in) {
-  const std::uint64_t size = in.varint();
-  const std::uint64_t at = in.offset();
-  return {in.take(size), at};
+/// Sizes of a mesh of raw faces.
+Expected<Done> read_raw(const Section& section, ByteReader& in, PieceSections& mesh) {
+  mesh.raw.read(in);
+  if (!in.ok()) return Failure{in.error()};
+  if (std::string fault = mesh.raw.fault(); !fault.empty())
+    return fail(ErrorCode::invalid, Place::byte, section.at, std::move(fault));
+  mesh.vertices = mesh.raw.vertices;
+  mesh.faces = mesh.raw.faces;
+  mesh.corners = mesh.raw.corners;
+  return Done{};
 }
 
-/// Sizes of a mesh of plain faces.
-Expected<Done> read_plain(const Section& section, ByteReader& in, PieceSections& mesh) {
-  mesh.vertices = in.varint();
-  mesh.faces = in.varint();
-  mesh.corners = in.varint();
-  mesh.plain = {section.payload.subspan(in.position()), in.offset()};
-  if (!in.ok()) return Failure{in.error()};
-  const std::uint64_t most =
-      std::min(max_decisions_per_byte * mesh.plain.bytes.size(), max_corners);
-  if (mesh.vertices > 0xffffffffu || mesh.faces > most || mesh.corners > most)
-    return fail(ErrorCode::invalid, Place::byte, section.at,
-                std::to_string(mesh.faces) + " faces of " + std::to_string(mesh.corners) +
-                    " corners on " + std::to_string(mesh.vertices) +
-                    " vertices cannot be coded in " + std::to_string(mesh.plain.bytes.size()) +
-                    " bytes");
-  return Done{};
+/// What keeps the streams of a mesh from being those of its surface; empty if nothing does.
+std::string fault_of_streams(const PieceSections& mesh) {
+  const auto has = [&](std::uint32_t bit) { return (mesh.features & bit) != 0; };
+  std::string fault;
+  if (has(feature::polygons)) fault = mesh.polygons.fault(mesh.connectivity.faces);
+  if (fault.empty() && has(feature::reversed)) fault = mesh.reversed.fault(mesh.surface_faces);
+  if (fault.empty() && has(feature::copies)) fault = mesh.copies.fault(mesh.connectivity.vertices);
+  if (fault.empty() && has(feature::repeats)) fault = mesh.repeats.fault();
+  if (fault.empty() && has(feature::folded)) fault = mesh.folded.fault();
+  if (fault.empty() && has(feature::degenerate)) fault = mesh.degenerate.fault();
+  return fault;
 }
 
 /// Sizes of a mesh that is a surface, as far as it is one.
@@ -51,82 +52,28 @@ Expected<Done> read_surface(const Section& section, ByteReader& in, PieceSection
   if (mesh.features & ~feature::on_surface)
     return invalid("unknown features " + std::to_string(mesh.features));
   const std::uint64_t others = in.varint();
-  if (mesh.features & feature::reversed) {
-    mesh.turned_runs = in.varint();
-    mesh.turned = read_stream(in);
-  }
-  std::uint64_t polygons = 0;
-  if (mesh.features & feature::polygons) {
-    polygons = in.varint();
-    mesh.polygons = read_stream(in);
-  }
-  if (mesh.features & feature::copies) {
-    mesh.copies = in.varint();
-    mesh.stitches = read_stream(in);
-  }
-  if (mesh.features & feature::repeats) {
-    mesh.repeated_faces = in.varint();
-    mesh.repeated_corners = in.varint();
-    mesh.repeats = read_stream(in);
-  }
-  if (mesh.features & feature::folded) {
-    mesh.folded_faces = in.varint();
-    mesh.folded = read_stream(in);
-  }
-  if (mesh.features & feature::degenerate) {
-    mesh.loose_faces = in.varint();
-    mesh.loose_corners = in.varint();
-    mesh.loose = read_stream(in);
-  }
+  if (mesh.features & feature::reversed) mesh.reversed.read(in);
+  if (mesh.features & feature::polygons) mesh.polygons.read(in);
+  if (mesh.features & feature::copies) mesh.copies.read(in);
+  if (mesh.features & feature::repeats) mesh.repeats.read(in);
+  if (mesh.features & feature::folded) mesh.folded.read(in);
+  if (mesh.features & feature::degenerate) mesh.degenerate.read(in);
   if (!in.ok()) return Failure{in.error()};
   mesh.connectivity_bytes = section.payload.subspan(in.position());
   mesh.connectivity_at = in.offset();
   auto header = read_connectivity_header(mesh.connectivity_bytes, mesh.connectivity_at);
   if (!header) return Failure{header.error()};
   mesh.connectivity = *header;
-
-  mesh.surface_faces = header->faces;
-  if (mesh.features & feature::polygons) {
-    if (polygons == 0 || polygons >= header->faces)
-      return invalid(std::to_string(polygons) + " polygons cannot be made of " +
-                     std::to_string(header->faces) + " triangles");
-    mesh.surface_faces = polygons;
-  }
-  if (mesh.features & feature::reversed &&
-      (mesh.turned_runs == 0 || mesh.turned_runs > mesh.surface_faces))
-    return invalid(std::to_string(mesh.turned_runs) + " runs of turned faces among " +
-                   std::to_string(mesh.surface_faces));
-  if (mesh.features & feature::copies && (mesh.copies == 0 || mesh.copies >= header->vertices))
-    return invalid(std::to_string(mesh.copies) + " copies among " +
-                   std::to_string(header->vertices) + " vertices");
-  if (mesh.features & feature::repeats) {
-    const std::uint64_t most = max_decisions_per_byte * mesh.repeats.bytes.size();
-    if (mesh.repeated_faces == 0 || mesh.repeated_faces > most ||
-        mesh.repeated_corners / 3 < mesh.repeated_faces || mesh.repeated_corners > max_corners)
-      return invalid(std::to_string(mesh.repeated_faces) + " repeated faces of " +
-                     std::to_string(mesh.repeated_corners) + " corners cannot be coded in " +
-                     std::to_string(mesh.repeats.bytes.size()) + " bytes");
-  }
-  if (mesh.features & feature::folded &&
-      (mesh.folded_faces == 0 ||
-       mesh.folded_faces > max_decisions_per_byte * mesh.folded.bytes.size()))
-    return invalid(std::to_string(mesh.folded_faces) + " folded faces cannot be coded in " +
-                   std::to_string(mesh.folded.bytes.size()) + " bytes");
-  if (mesh.features & feature::degenerate) {
-    const std::uint64_t most = max_decisions_per_byte * mesh.loose.bytes.size();
-    if (mesh.loose_faces == 0 || mesh.loose_faces > most || mesh.loose_corners > most)
-      return invalid(std::to_string(mesh.loose_faces) + " loose faces of " +
-                     std::to_string(mesh.loose_corners) + " corners cannot be coded in " +
-                     std::to_string(mesh.loose.bytes.size()) + " bytes");
-  }
-  mesh.surface_vertices = header->vertices - mesh.copies;
+  mesh.surface_faces = mesh.features & feature::polygons ? mesh.polygons.faces : header->faces;
+  if (std::string fault = fault_of_streams(mesh); !fault.empty()) return invalid(std::move(fault));
+  mesh.surface_vertices = header->vertices - mesh.copies.copies;
   if (others > 0xffffffffu - mesh.surface_vertices)
     return invalid(std::to_string(others) + " further vertices are more than there are numbers");
   mesh.vertices = mesh.surface_vertices + others;
-  mesh.faces = mesh.surface_faces + mesh.repeated_faces + mesh.folded_faces + mesh.loose_faces;
+  mesh.faces = mesh.surface_faces + mesh.repeats.faces + mesh.folded.faces + mesh.degenerate.faces;
   // A polygon of n corners is n - 2 triangles.
-  mesh.corners = header->faces + 2 * mesh.surface_faces + mesh.repeated_corners +
-                 3 * mesh.folded_faces + mesh.loose_corners;
+  mesh.corners = header->faces + 2 * mesh.surface_faces + mesh.repeats.corners +
+                 3 * mesh.folded.faces + mesh.degenerate.corners;
   if (mesh.corners > max_corners)
     return invalid(std::to_string(mesh.corners) + " corners are more than there are numbers");
   return Done{};
@@ -138,8 +85,8 @@ Expected<PieceSections> read_piece(const Section& section, const Limits& limits)
   mesh.at = section.at;
   ByteReader in(section.payload, section.at);
   mesh.features = in.u8();
-  const auto ok = mesh.features == feature::raw ? read_plain(section, in, mesh)
-                                                : read_surface(section, in, mesh);
+  const auto ok =
+      mesh.features == feature::raw ? read_raw(section, in, mesh) : read_surface(section, in, mesh);
   if (!ok) return Failure{ok.error()};
   if (mesh.vertices > limits.vertices)
     return over(section.at, Limited::vertices, "vertices", mesh.vertices, limits.vertices);
@@ -167,15 +114,13 @@ Expected<PieceSections::AttributeSection> read_attribute(const Section& section,
 Expected<Done> read_seam(const Section& section, PieceSections& piece) {
   ByteReader in(section.payload, section.at);
   piece.seam_size = section.payload.size();
-  piece.shared = in.varint();
+  piece.seam.read(in);
   if (!in.ok()) return Failure{in.error()};
-  piece.seam = {section.payload.subspan(in.position()), in.offset()};
-  if (piece.shared == 0 || piece.shared > std::min(piece.vertices, piece.corners) ||
-      piece.shared > piece.first_vertex)
+  const std::uint64_t shared = piece.seam.shared;
+  if (shared == 0 || shared > piece.most_used_vertices() || shared > piece.first_vertex)
     return fail(ErrorCode::invalid, Place::byte, section.at,
                 "a piece of " + std::to_string(piece.vertices) + " vertices after " +
-                    std::to_string(piece.first_vertex) + " cannot share " +
-                    std::to_string(piece.shared));
+                    std::to_string(piece.first_vertex) + " cannot share " + std::to_string(shared));
   return Done{};
 }
 
@@ -206,7 +151,7 @@ class MeshesReader {
     PieceSections& piece = meshes.back().pieces.back();
     switch (section.kind) {
       case SectionKind::seam:
-        if (meshes.back().pieces.size() == 1 || piece.shared > 0 || !piece.attributes.empty())
+        if (meshes.back().pieces.size() == 1 || piece.seam.shared > 0 || !piece.attributes.empty())
           return invalid(section, "a seam where none can be");
         return read_seam(section, piece);
       case SectionKind::attribute: return add_attribute(section, piece);
@@ -279,7 +224,7 @@ class MeshesReader {
     };
     if (!same_attributes(mesh.pieces.front(), piece))
       return refuse("this piece does not have the attributes of the first one");
-    mesh.vertices += piece.vertices - piece.shared;
+    mesh.vertices += piece.vertices - piece.seam.shared;
     mesh.faces += piece.faces;
     mesh.corners += piece.corners;
     if (mesh.vertices > 0xffffffffu || mesh.corners > max_corners || mesh.faces > max_corners)
@@ -299,8 +244,7 @@ class MeshesReader {
     if (auto ok = finish_piece(); !ok) return ok;
     const MeshSections& mesh = meshes.back();
     // A face takes a decision at least.
-    if (const auto& order = mesh.order;
-        mesh.has_order && mesh.faces > max_decisions_per_byte * order.bytes.size())
+    if (const auto& order = mesh.order; mesh.has_order && mesh.faces > order.max_decisions())
       return fail(ErrorCode::invalid, Place::byte, order.at,
                   "the order of " + std::to_string(mesh.faces) + " faces cannot be coded in " +
                       std::to_string(order.bytes.size()) + " bytes");

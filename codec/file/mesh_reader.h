@@ -1,4 +1,5 @@
-// Walks the sections of a file mesh by mesh: what decode and inspect share.
+// Walks the sections of a file mesh by mesh, decodes nothing, and checks all that headers say: what
+// decode and inspect share.
 #ifndef CLERS_CODEC_FILE_MESH_READER_H
 #define CLERS_CODEC_FILE_MESH_READER_H
 
@@ -16,31 +17,33 @@
 #include "codec/file/mesh_features.h"
 #include "codec/file/metadata.h"
 #include "codec/limits.h"
+#include "codec/pieces/assembly.h"
+#include "codec/soup/degenerate_faces.h"
+#include "codec/soup/folded_faces.h"
+#include "codec/soup/polygon_sizes.h"
+#include "codec/soup/raw_faces.h"
+#include "codec/soup/repeated_faces.h"
+#include "codec/soup/reversed_faces.h"
+#include "codec/soup/stitching.h"
 
 namespace clers::internal {
 
 /// A part of a file that decodes alone: a mesh, or a piece of one.
-struct PieceSections {
-  /// A stream of codec/format.md that undoes something.
-  struct Stream {
-    std::span<const std::byte> bytes;
-    std::uint64_t at = 0;
-  };
-  std::uint64_t vertices = 0, faces = 0, corners = 0;  ///< of the piece
-  std::uint64_t surface_vertices = 0;                  ///< of the piece, that its surface has
-  std::uint64_t surface_faces = 0;                     ///< neither repeated, folded nor loose
-  std::uint32_t features = 0;
-  std::uint64_t turned_runs = 0;
-  std::uint64_t copies = 0;  ///< vertices that the surface has more than the piece
-  std::uint64_t repeated_faces = 0, repeated_corners = 0;
-  std::uint64_t folded_faces = 0;
-  std::uint64_t loose_faces = 0, loose_corners = 0;
-  Stream turned, polygons, stitches, repeats, folded, loose, plain;
+struct PieceSections : PiecePlace {
+  std::uint64_t surface_vertices = 0;  ///< of the piece, that its surface has
+  std::uint64_t surface_faces = 0;     ///< neither repeated, folded nor degenerate
+  std::uint32_t features = 0;          ///< which of these it has:
+  ReversedHeader reversed;
+  PolygonHeader polygons;
+  CopiesHeader copies;
+  RepeatsHeader repeats;
+  FoldedHeader folded;
+  DegenerateHeader degenerate;
+  RawHeader raw;
   ConnectivityHeader connectivity;
   std::span<const std::byte> connectivity_bytes;  ///< without what stands before
   std::uint64_t connectivity_at = 0;
   std::uint64_t payload_size = 0;
-  std::uint64_t at = 0;  ///< of the payload in the file
   struct AttributeSection {
     AttributeHeader header;
     std::span<const std::byte> bytes;
@@ -49,11 +52,7 @@ struct PieceSections {
   };
   std::vector<AttributeSection> attributes;
 
-  std::uint64_t shared = 0;  ///< vertices that are vertices of pieces before
-  Stream seam;
   std::uint64_t seam_size = 0;  ///< of the section's payload
-  /// Where in the mesh what is the piece's own begins.
-  std::uint64_t first_vertex = 0, first_face = 0, first_corner = 0;
 
   bool may_have_sizes() const {
     return features & (feature::polygons | feature::degenerate | feature::raw);
@@ -64,7 +63,7 @@ struct PieceSections {
 struct MeshSections {
   std::vector<PieceSections> pieces;  ///< one at least
   std::uint64_t vertices = 0, faces = 0, corners = 0;
-  PieceSections::Stream order;
+  Stream order;
   std::optional<MetadataHeader> metadata;
   std::string name;
   bool has_order = false, has_name = false;

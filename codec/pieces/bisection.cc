@@ -6,10 +6,10 @@
 #include <tuple>
 #include <utility>
 
+#include "codec/base/no_index.h"
+
 namespace clers::internal {
 namespace {
-
-constexpr std::uint32_t none = 0xffffffffu;
 
 using Nodes = std::vector<std::uint32_t>;
 
@@ -17,8 +17,8 @@ std::uint64_t weight_of(const Graph& graph) {
   return std::accumulate(graph.weights.begin(), graph.weights.end(), std::uint64_t(0));
 }
 
-/// What is left of a graph of some of its nodes, numbered in their order. `number` has `none` for
-/// each node of the graph, before and after.
+/// What is left of a graph of some of its nodes, numbered in their order. `number` has `no_index`
+/// for each node of the graph, before and after.
 Graph subgraph(const Graph& graph, std::span<const std::uint32_t> nodes, Nodes& number) {
   Graph result;
   for (const std::uint32_t n : nodes) {
@@ -27,10 +27,10 @@ Graph subgraph(const Graph& graph, std::span<const std::uint32_t> nodes, Nodes& 
   }
   for (const std::uint32_t n : nodes) {
     for (const Graph::Arc& arc : graph.around(n))
-      if (number[arc.to] != none) result.arcs.push_back({number[arc.to], arc.weight});
+      if (number[arc.to] != no_index) result.arcs.push_back({number[arc.to], arc.weight});
     result.begin.push_back(static_cast<std::uint32_t>(result.arcs.size()));
   }
-  for (const std::uint32_t n : nodes) number[n] = none;
+  for (const std::uint32_t n : nodes) number[n] = no_index;
   return result;
 }
 
@@ -230,7 +230,7 @@ void part(const Graph& graph, std::span<const std::uint32_t> names, std::uint32_
   }
   const std::vector<std::uint8_t> side = bisect(graph, parts / 2, parts);
   for (const bool right : {false, true}) {
-    Nodes nodes, names_there, number(graph.count(), none);
+    Nodes nodes, names_there, number(graph.count(), no_index);
     for (std::uint32_t n = 0; n < graph.count(); ++n)
       if (side[n] == right) {
         nodes.push_back(n);
@@ -253,7 +253,7 @@ void exchange(const Graph& graph, std::uint32_t parts, Nodes& part_of) {
       if (part_of[n] < part_of[arc.to]) neighbours.emplace_back(part_of[n], part_of[arc.to]);
   std::sort(neighbours.begin(), neighbours.end());
   neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-  Nodes number(graph.count(), none), both;
+  Nodes number(graph.count(), no_index), both;
   for (const auto& [a, b] : neighbours) {
     both.clear();
     std::merge(nodes_of[a].begin(), nodes_of[a].end(), nodes_of[b].begin(), nodes_of[b].end(),

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <numeric>
 #include <span>
 
 #include "codec/attributes/transform.h"
+#include "codec/base/buckets.h"
+#include "codec/base/no_index.h"
 #include "codec/base/parallel.h"
 
 namespace clers::internal {
 namespace {
-
-constexpr std::uint32_t none = 0xffffffffu;
 
 /// Numbers that sort like a component of the positions, each to `out`, `step` apart.
 template <class U>
@@ -112,7 +111,7 @@ class Tree {
     std::uint64_t longest = 0;
     std::uint32_t end = 0;
     for (std::uint32_t axis = 0; axis < places_.axes(); ++axis) {
-      std::uint32_t low = none, high = 0;
+      std::uint32_t low = no_index, high = 0;
       for (const std::uint32_t v : sample) {
         low = std::min(low, places_.at(axis, v));
         high = std::max(high, places_.at(axis, v));
@@ -152,28 +151,25 @@ class Tree {
 /// Cells of `size` vertices, each grown from where those before it stopped.
 std::vector<std::uint32_t> grown(const Faces& faces, std::uint32_t vertex_count,
                                  std::uint32_t size) {
-  std::vector<std::uint32_t> begin(std::size_t(vertex_count) + 1), around(faces.org.size());
-  for (const std::uint32_t v : faces.org) ++begin[v];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  for (std::uint32_t h = 0; h < faces.org.size(); ++h)
-    around[--begin[faces.org[h]]] = faces.face(h);
-  std::vector<std::uint32_t> cell(vertex_count, none), inside, rim;
+  const Buckets corners(static_cast<std::uint32_t>(faces.org.size()), vertex_count,
+                        [&](std::uint32_t h) { return faces.org[h]; });
+  std::vector<std::uint32_t> cell(vertex_count, no_index), inside, rim;
   std::size_t next_rim = 0;
   for (std::uint32_t v = 0, number = 0; v < vertex_count; ++number) {
     // From what others left on their rims; else from the next component.
-    std::uint32_t from = none;
-    while (from == none && next_rim < rim.size())
-      if (cell[rim[next_rim++]] == none) from = rim[next_rim - 1];
-    while (from == none && v < vertex_count)
-      if (cell[v++] == none) from = v - 1;
-    if (from == none) break;
+    std::uint32_t from = no_index;
+    while (from == no_index && next_rim < rim.size())
+      if (cell[rim[next_rim++]] == no_index) from = rim[next_rim - 1];
+    while (from == no_index && v < vertex_count)
+      if (cell[v++] == no_index) from = v - 1;
+    if (from == no_index) break;
     inside.assign(1, from);
     cell[from] = number;
     for (std::size_t i = 0; i < inside.size(); ++i) {
-      const std::uint32_t u = inside[i];
-      for (std::uint32_t k = begin[u]; k < begin[u + 1]; ++k)
-        for (const std::uint32_t w : faces.cycle(around[k])) {
-          if (cell[w] != none) continue;
+      const auto around = corners[inside[i]];
+      for (std::size_t k = around.size(); k-- > 0;)
+        for (const std::uint32_t w : faces.cycle(faces.face(around[k]))) {
+          if (cell[w] != no_index) continue;
           if (inside.size() < size) {
             cell[w] = number;
             inside.push_back(w);

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "codec/base/faces.h"
 #include "codec/mesh.h"
-#include "codec/soup/faces.h"
 
 namespace clers::internal {
 

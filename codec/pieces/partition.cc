@@ -4,40 +4,16 @@
 #include <numeric>
 #include <utility>
 
+#include "codec/base/buckets.h"
+#include "codec/base/disjoint_sets.h"
+#include "codec/base/faces.h"
+#include "codec/base/no_index.h"
 #include "codec/base/parallel.h"
 #include "codec/pieces/bisection.h"
 #include "codec/pieces/cells.h"
-#include "codec/soup/faces.h"
 
 namespace clers::internal {
 namespace {
-
-constexpr std::uint32_t none = 0xffffffffu;
-
-/// Disjoint sets; the least number of a set is its root.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-  std::uint32_t root(std::uint32_t v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  void join(std::uint32_t v, std::uint32_t w) {
-    if (parent_[v] == parent_[w]) return;
-    const std::uint32_t a = root(v), b = root(w);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-  /// Of each its root.
-  std::vector<std::uint32_t> roots() && {
-    for (std::uint32_t v = 0; v < parent_.size(); ++v) parent_[v] = parent_[parent_[v]];
-    return std::move(parent_);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;  ///< at most the number itself
-};
 
 /// A mesh as a graph: what hangs together in a cell is a node, weighing its vertices; what joins
 /// two such are the sides of faces that run between them.
@@ -76,7 +52,7 @@ void set_arcs(std::vector<std::uint64_t> edges, Graph& graph) {
 Patches patches_of(const SpatialKeys& places, const Faces& faces,
                    const std::vector<std::uint32_t>& cell, std::uint32_t small) {
   const std::uint32_t vertex_count = static_cast<std::uint32_t>(cell.size());
-  Sets vertices(vertex_count);
+  DisjointSets vertices(vertex_count);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> across;
   for (std::uint32_t f = 0; f < faces.count(); ++f) {
     const auto cycle = faces.cycle(f);
@@ -84,20 +60,20 @@ Patches patches_of(const SpatialKeys& places, const Faces& faces,
     const std::size_t before_face = across.size();
     for (std::size_t j = 1; j < cycle.size(); ++j)
       if (cell[cycle[j - 1]] == cell[cycle[j]])
-        vertices.join(cycle[j - 1], cycle[j]);
+        vertices.unite(cycle[j - 1], cycle[j]);
       else
         across.emplace_back(cycle[j - 1], cycle[j]);
     if (cell[cycle.back()] != cell[cycle.front()])
       across.emplace_back(cycle.back(), cycle.front());
     else if (cycle.size() > 2 && across.size() > before_face)
-      vertices.join(cycle.back(), cycle.front());
+      vertices.unite(cycle.back(), cycle.front());
   }
 
   // Nodes are numbered by cell, and there by their least vertices: whatever the order of vertices
   // is. Where those lie at one place, they are one node.
   Patches result;
   std::vector<std::uint32_t>& node = result.node;
-  node = std::move(vertices).roots();
+  node = std::move(vertices).all();
   std::vector<std::uint32_t> least(vertex_count), roots;
   for (std::uint32_t v = 0; v < vertex_count; ++v) {
     const std::uint32_t r = node[v];
@@ -117,14 +93,14 @@ Patches patches_of(const SpatialKeys& places, const Faces& faces,
   weight.resize(cell_of.size());
   for (std::uint32_t& n : node) ++weight[n = least[n]];
 
-  Sets nodes(cell_of.size());
+  DisjointSets nodes(cell_of.size());
   std::vector<std::uint64_t> size(cell_of.size());
-  for (const auto& [v, w] : across) nodes.join(node[v], node[w]);
-  const std::vector<std::uint32_t> component = std::move(nodes).roots();
+  for (const auto& [v, w] : across) nodes.unite(node[v], node[w]);
+  const std::vector<std::uint32_t> component = std::move(nodes).all();
   for (std::uint32_t n = 0; n < component.size(); ++n) size[component[n]] += weight[n];
   number.resize(cell_of.size());
   std::vector<std::uint32_t>& weights = result.graph.weights;
-  std::uint32_t cell_of_small = none, of_small = none;
+  std::uint32_t cell_of_small = no_index, of_small = no_index;
   for (std::uint32_t n = 0; n < component.size(); ++n) {
     const std::uint32_t c = component[n];
     const bool is_small = size[c] <= small;
@@ -293,16 +269,12 @@ Partition partition(const Mesh& mesh, std::uint32_t piece_faces, unsigned thread
     for (const auto& part : mixed_in) mixed.insert(mixed.end(), part.begin(), part.end());
     repair_pinched_vertices(faces, mesh.vertex_count, mixed, of_face);
   }
-  std::vector<std::uint32_t> size(pieces), next(pieces);
-  for (const std::uint32_t p : of_face) ++size[p];
+  Buckets by_piece(count, pieces, [&](std::uint32_t f) { return of_face[f]; });
   Partition result;
-  for (std::uint32_t i = 0, begin = 0; i < pieces; ++i) {
-    next[i] = begin;
-    begin += size[i];
-    if (size[i] > 0) result.begin.push_back(begin);
-  }
-  result.faces.resize(count);
-  for (std::uint32_t f = 0; f < count; ++f) result.faces[next[of_face[f]]++] = f;
+  for (std::uint32_t i = 0; i < pieces; ++i)
+    if (const auto size = static_cast<std::uint32_t>(by_piece[i].size()); size > 0)
+      result.begin.push_back(result.begin.back() + size);
+  result.faces = std::move(by_piece).items();
   return result;
 }
 

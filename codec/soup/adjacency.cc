@@ -1,13 +1,15 @@
 #include "codec/soup/adjacency.h"
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <utility>
 
+#include "codec/base/portable.h"
+#include "codec/base/no_index.h"
+
 namespace clers::internal {
 namespace {
-
-constexpr std::uint32_t none = HalfEdge::null_index;
 
 /// Matches half-edges while the faces stream by.
 ///
@@ -53,8 +55,8 @@ class StreamingMatcher {
   static constexpr std::uint32_t max_vertices = 1u << 30;
 
   struct Slot {
-    Key awaited = none;              ///< of the half-edge to come; none: no edge is here
-    std::uint32_t half_edge = none;  ///< that was met
+    Key awaited = no_index;              ///< of the half-edge to come; none: no edge is here
+    std::uint32_t half_edge = no_index;  ///< that was met
     bool is_free_or(Key key) const { return std::min(awaited ^ key, ~awaited) == 0; }
     bool has_edge_of(Key key) const { return ((awaited ^ key) & ~(matched | 1)) == 0; }
   };
@@ -88,9 +90,9 @@ class StreamingMatcher {
       if constexpr (prefetch) {
         if (h + ahead < n) {
           const std::uint32_t *const o = &org[h + ahead], low = std::min(o[0], o[1]);
-          __builtin_prefetch(&slots[std::size_t(places) * low], 1);
-          __builtin_prefetch(&slots[std::size_t(places) * std::min(std::max(o[0], o[1]), o[2])], 1);
-          __builtin_prefetch(&slots[std::size_t(places) * std::min(low, o[2])], 1);
+          fetch_for_writing(&slots[std::size_t(places) * low]);
+          fetch_for_writing(&slots[std::size_t(places) * std::min(std::max(o[0], o[1]), o[2])]);
+          fetch_for_writing(&slots[std::size_t(places) * std::min(low, o[2])]);
         }
       }
       const std::uint32_t a = org[h], b = org[h + 1], c = org[h + 2];
@@ -111,8 +113,8 @@ class StreamingMatcher {
   }
 
   /// Half-edge h from a to b. The first of an edge waits for the second.
-  [[gnu::always_inline]] void match(Slot* slots, HalfEdge* twins, std::uint32_t h, std::uint32_t a,
-                                    std::uint32_t b) {
+  CLERS_ALWAYS_INLINE void match(Slot* slots, HalfEdge* twins, std::uint32_t h, std::uint32_t a,
+                                 std::uint32_t b) {
     const bool up = a < b;
     const std::uint32_t low = up ? a : b, high = up ? b : a;
     const Key key = 2 * high + up;
@@ -128,11 +130,11 @@ class StreamingMatcher {
   }
 
   /// Where the edge is, or goes, whose first place is taken; null if h is put off.
-  [[gnu::noinline]] Slot* find(std::uint32_t low, Key key, std::uint32_t h) {
+  CLERS_NEVER_INLINE Slot* find(std::uint32_t low, Key key, std::uint32_t h) {
     std::uint32_t at = place(key);
     for (unsigned left = places; left > 0; --left, at = (at + 1) % places) {
       Slot& slot = cells_[low].slots[at];
-      if (slot.awaited == none || slot.awaited == key) return &slot;
+      if (slot.awaited == no_index || slot.awaited == key) return &slot;
       if (slot.has_edge_of(key)) {
         misfits_.push_back(std::uint64_t(slot.half_edge) << 32 | h);
         return nullptr;
@@ -209,31 +211,25 @@ std::uint64_t fan_size(const Faces& faces, std::span<const HalfEdge> twins, std:
   do {
     ++count;
     h = twins[faces.prev(h)].index();
-  } while (h != none && h != start);
+  } while (h != no_index && h != start);
   if (h == start) return count;
-  for (h = twins[start].index(); h != none; h = twins[faces.next(h)].index()) ++count;
+  for (h = twins[start].index(); h != no_index; h = twins[faces.next(h)].index()) ++count;
   return count;
 }
 
 }  // namespace
 
 void order_defects(Adjacency& adjacency) {
-  struct Edge {
-    std::uint32_t first, begin, end;
-  };
-  std::vector<Edge> edges;
-  edges.reserve(adjacency.ends.size());
-  for (std::uint32_t begin = 0; const std::uint32_t end : adjacency.ends) {
-    edges.push_back({adjacency.sides[begin], begin, end});
-    begin = end;
-  }
-  std::sort(edges.begin(), edges.end(),
-            [](const Edge& a, const Edge& b) { return a.first < b.first; });
-  const std::vector<std::uint32_t> sides = std::move(adjacency.sides);
-  adjacency.sides.clear();
-  adjacency.ends.clear();
-  for (const Edge& e : edges) {
-    adjacency.sides.insert(adjacency.sides.end(), sides.begin() + e.begin, sides.begin() + e.end);
+  Adjacency all;
+  all.sides.swap(adjacency.sides);
+  all.ends.swap(adjacency.ends);
+  std::vector<std::uint32_t> order(all.edges());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return all.edge(a)[0] < all.edge(b)[0]; });
+  for (const std::uint32_t e : order) {
+    const auto sides = all.edge(e);
+    adjacency.sides.insert(adjacency.sides.end(), sides.begin(), sides.end());
     adjacency.ends.push_back(static_cast<std::uint32_t>(adjacency.sides.size()));
   }
 }

@@ -6,19 +6,25 @@
 #include <span>
 #include <vector>
 
+#include "codec/base/faces.h"
 #include "codec/error.h"
-#include "codec/soup/faces.h"
 #include "topology/ids.h"
 
 namespace clers::internal {
 
-/// How half-edges lie on edges.
+/// Which half-edges are the sides of one edge.
 struct Adjacency {
   std::vector<HalfEdge> twins;  ///< null on boundaries and at defective edges
   /// Edges of more than two faces, and those of two that run along them the same way: the sides of
   /// one edge together and in file order, edges by their first sides. Edge i has those from
   /// ends[i - 1] to ends[i].
   std::vector<std::uint32_t> sides, ends;
+
+  std::uint32_t edges() const { return static_cast<std::uint32_t>(ends.size()); }
+  std::span<const std::uint32_t> edge(std::uint32_t i) const {
+    const std::uint32_t begin = i == 0 ? 0 : ends[i - 1];
+    return std::span(sides).subspan(begin, ends[i] - begin);
+  }
 };
 
 /// Brings defective edges into the order of their first sides.

@@ -5,73 +5,33 @@
 #include <span>
 #include <utility>
 
+#include "codec/base/disjoint_sets.h"
+#include "codec/base/no_index.h"
+
 namespace clers::internal {
 namespace {
 
-constexpr std::uint32_t none = HalfEdge::null_index;
-
-/// Sets of regions that are glued, each region reversed or not relative to its set.
-class Orientation {
- public:
-  void add_region(std::uint32_t faces) {
-    parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
-    reversed_.push_back(false);
-    size_.push_back(faces);
+/// Which regions to reverse, of regions that are glued, each the equal or the opposite of the
+/// others of its set: the fewer faces of each set; if it is a tie, not the first region.
+std::vector<bool> fewer_faces(SignedSets& regions, std::span<const std::uint32_t> faces_of) {
+  const std::uint32_t count = regions.count();
+  std::vector<std::uint64_t> opposite(count);  // faces, of each set
+  std::vector<bool> result(count), first(count), reached(count);
+  for (std::uint32_t r = 0; r < count; ++r) {
+    const SignedSets::Member m = regions.find(r);
+    result[r] = m.opposite;
+    if (m.opposite) opposite[m.set] += faces_of[r];
+    if (!reached[m.set]) first[m.set] = m.opposite;
+    reached[m.set] = true;
   }
-
-  struct Place {
-    std::uint32_t set;
-    bool reversed;
-  };
-  Place find(std::uint32_t r) {
-    bool reversed = false;
-    while (parent_[r] != r) {  // path halving: r hangs below its grandparent now
-      const std::uint32_t p = parent_[r];
-      reversed_[r] ^= reversed_[p];
-      parent_[r] = parent_[p];
-      reversed ^= reversed_[r];
-      r = parent_[r];
-    }
-    return {r, reversed};
+  for (std::uint32_t r = 0; r < count; ++r) {
+    const std::uint32_t set = regions.find(r).set;
+    const std::uint64_t twice = 2 * opposite[set];
+    if (twice > regions.weight(set) || (twice == regions.weight(set) && first[set]))
+      result[r] = !result[r];
   }
-
-  /// Reverses r relative to q, or not, unless it is known to be otherwise.
-  bool unite(std::uint32_t q, std::uint32_t r, bool reverse) {
-    Place a = find(q), b = find(r);
-    if (a.set == b.set) return (a.reversed != b.reversed) == reverse;
-    const bool relative = (a.reversed != b.reversed) != reverse;
-    if (size_[a.set] < size_[b.set]) std::swap(a, b);
-    parent_[b.set] = a.set;
-    reversed_[b.set] = relative;
-    size_[a.set] += size_[b.set];
-    return true;
-  }
-
-  /// Which regions to reverse: the fewer faces of each set; if it is a tie, not the first region.
-  std::vector<bool> fewer(std::span<const std::uint32_t> faces_of) {
-    const std::uint32_t regions = static_cast<std::uint32_t>(parent_.size());
-    std::vector<std::uint64_t> faces(regions);
-    std::vector<bool> result(regions), first(regions), reached(regions);
-    for (std::uint32_t r = 0; r < regions; ++r) {
-      const Place p = find(r);
-      result[r] = p.reversed;
-      if (p.reversed) faces[p.set] += faces_of[r];
-      if (!reached[p.set]) first[p.set] = p.reversed;
-      reached[p.set] = true;
-    }
-    for (std::uint32_t r = 0; r < regions; ++r) {
-      const std::uint32_t set = find(r).set;
-      const std::uint64_t twice = 2 * faces[set];
-      if (twice > size_[set] || (twice == size_[set] && first[set])) result[r] = !result[r];
-    }
-    return result;
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-  std::vector<std::uint8_t> reversed_;  ///< relative to the parent; 0 at a root
-  std::vector<std::uint64_t> size_;     ///< faces of the set, at its root
-};
+  return result;
+}
 
 /// Which three vertices follow each other in some face: a hash table with open addressing.
 class CornerSet {
@@ -113,22 +73,22 @@ class Cutter {
   Cutter(const Faces& faces, std::uint32_t vertex_count, Adjacency& adjacency)
       : faces_(faces),
         vertices_(vertex_count),
+        edges_(adjacency),
         sides_(adjacency.sides),
-        ends_(adjacency.ends),
         twins_(adjacency.twins),
-        region_(faces.count(), none),
-        edge_(faces.org.size(), none) {}
+        region_(faces.count(), no_index),
+        edge_(faces.org.size(), no_index) {}
 
   /// Completes the twins. Returns the faces to reverse.
   std::vector<std::uint32_t> run() {
-    for (std::uint32_t e = 0; e < ends_.size(); ++e) glue_doubles(e);
+    for (std::uint32_t e = 0; e < edges_.edges(); ++e) glue_doubles(e);
     std::uint32_t open = 0;
     bool against = false;  // a side that runs the same way as the other one of its edge
-    for (std::uint32_t e = 0; e < ends_.size(); ++e) {
+    for (std::uint32_t e = 0; e < edges_.edges(); ++e) {
       against |= !is_crowded(e);
-      for (std::uint32_t i = begin(e); i < ends_[e]; ++i)
-        if (!twins_[sides_[i]]) {
-          edge_[sides_[i]] = e;
+      for (const std::uint32_t h : edges_.edge(e))
+        if (!twins_[h]) {
+          edge_[h] = e;
           ++open;
         }
     }
@@ -137,13 +97,13 @@ class Cutter {
     if (against || join) {
       for (const std::uint32_t h : sides_)
         if (!twins_[h]) flood(faces_.face(h));
-      for (std::uint32_t e = 0; e < ends_.size(); ++e) {
-        const std::uint32_t* side = &sides_[begin(e)];
+      for (std::uint32_t e = 0; e < edges_.edges(); ++e) {
+        const auto side = edges_.edge(e);
         if (!is_crowded(e) && unite(side[0], side[1])) glue(side[0], side[1]);
       }
     }
     if (join) join_regions();
-    region_reversed_ = orientation_.fewer(faces_of_);
+    region_reversed_ = fewer_faces(orientation_, faces_of_);
     if (crowded) zip();
 
     std::vector<std::uint32_t> reversed;
@@ -156,15 +116,14 @@ class Cutter {
   }
 
  private:
-  std::uint32_t begin(std::uint32_t e) const { return e == 0 ? 0 : ends_[e - 1]; }
-  bool is_crowded(std::uint32_t e) const { return ends_[e] - begin(e) > 2; }
+  bool is_crowded(std::uint32_t e) const { return edges_.edge(e).size() > 2; }
   /// A side of an edge of more than two faces that is not glued.
   bool is_open(std::uint32_t h) const {
-    return !twins_[h] && edge_[h] != none && is_crowded(edge_[h]);
+    return !twins_[h] && edge_[h] != no_index && is_crowded(edge_[h]);
   }
   std::uint32_t region(std::uint32_t h) const { return region_[faces_.face(h)]; }
   bool is_reversed(std::uint32_t f) const {
-    return region_[f] != none && region_reversed_[region_[f]];
+    return region_[f] != no_index && region_reversed_[region_[f]];
   }
 
   bool same_direction(std::uint32_t g, std::uint32_t h) const {
@@ -182,13 +141,13 @@ class Cutter {
   /// doubled, they are glued in the order of the faces: one sheet after the other.
   void glue_doubles(std::uint32_t e) {
     if (!is_crowded(e)) return;
-    const std::span<const std::uint32_t> sides(&sides_[begin(e)], ends_[e] - begin(e));
+    const auto sides = edges_.edge(e);
     const std::uint32_t one = faces_.beyond(sides[0]);
-    std::uint32_t other = none;
+    std::uint32_t other = no_index;
     for (const std::uint32_t h : sides.subspan(1)) {
       const std::uint32_t x = faces_.beyond(h);
       if (x == one || x == other) continue;
-      if (other != none) return;
+      if (other != no_index) return;
       other = x;
     }
     // Those of `one` that wait for a side, and where to look for it: by direction.
@@ -207,7 +166,7 @@ class Cutter {
 
   /// Makes a region of what is connected with a face.
   void flood(std::uint32_t seed) {
-    if (region_[seed] != none) return;
+    if (region_[seed] != no_index) return;
     const std::uint32_t r = static_cast<std::uint32_t>(faces_of_.size());
     std::uint32_t count = 0;
     stack_.push_back(seed);
@@ -219,20 +178,20 @@ class Cutter {
       for (std::uint32_t h = faces_.begin(f); h < faces_.end(f); ++h) {
         if (!twins_[h]) continue;
         const std::uint32_t g = faces_.face(twins_[h].index());
-        if (region_[g] != none) continue;
+        if (region_[g] != no_index) continue;
         region_[g] = r;
         stack_.push_back(g);
       }
     }
     faces_of_.push_back(count);
-    orientation_.add_region(count);
+    orientation_.add(count);
   }
 
   void mark_corners() {
     std::vector<bool> marked(vertices_);
-    for (std::uint32_t e = 0; e < ends_.size(); ++e) {
+    for (std::uint32_t e = 0; e < edges_.edges(); ++e) {
       if (!is_crowded(e)) continue;
-      const std::uint32_t h = sides_[begin(e)];
+      const std::uint32_t h = edges_.edge(e)[0];
       marked[faces_.org[h]] = marked[faces_.org[faces_.next(h)]] = true;
     }
     corners_.fill(faces_, marked);
@@ -249,8 +208,8 @@ class Cutter {
     open.resize(end[regions]);
     for (std::size_t i = sides_.size(); i-- > 0;)
       if (is_open(sides_[i])) open[--end[region(sides_[i])]] = sides_[i];
-    open_.assign(ends_.size(), none);
-    next_open_.assign(sides_.size(), none);
+    open_.assign(edges_.edges(), no_index);
+    next_open_.assign(sides_.size(), no_index);
     for (std::uint32_t i = static_cast<std::uint32_t>(sides_.size()); i-- > 0;)
       if (is_open(sides_[i])) {
         next_open_[i] = open_[edge_[sides_[i]]];
@@ -267,8 +226,8 @@ class Cutter {
       for (; next < queue.size(); ++next) {
         const std::uint32_t r = queue[next];
         for (std::uint32_t i = end[r]; i < end[r + 1]; ++i) {
-          const std::uint32_t h = open[i], g = twins_[h] ? none : partner(h);
-          if (g == none) continue;
+          const std::uint32_t h = open[i], g = twins_[h] ? no_index : partner(h);
+          if (g == no_index) continue;
           unite(g, h);
           glue(g, h);
           if (reached[region(g)]) continue;
@@ -292,9 +251,9 @@ class Cutter {
     Candidate candidates[patience];
     unsigned count = 0, seen = 0;
     bool other_vertices = false;  // than those of the face
-    const Orientation::Place here = orientation_.find(region(h));
+    const SignedSets::Member here = orientation_.find(region(h));
     std::uint32_t* link = &open_[edge_[h]];
-    while (*link != none && seen < patience) {
+    while (*link != no_index && seen < patience) {
       const std::uint32_t g = sides_[*link];
       if (twins_[g]) {
         *link = next_open_[*link];  // glued, and never looked at again
@@ -305,21 +264,21 @@ class Cutter {
       if (faces_.face(g) == faces_.face(h)) continue;
       const bool unlike = !alike(g, h);
       if (other_vertices && !unlike) continue;
-      const Orientation::Place there = orientation_.find(region(g));
-      if (same_direction(g, h) != (there.reversed != here.reversed)) continue;
+      const SignedSets::Member there = orientation_.find(region(g));
+      if (same_direction(g, h) != (there.opposite != here.opposite)) continue;
       if (unlike && !other_vertices) count = 0;
       other_vertices = unlike;
       candidates[count++] = {g, there.set == here.set};
     }
-    if (count == 1) return candidates[0].together ? none : candidates[0].side;
-    std::uint32_t best = none;
+    if (count == 1) return candidates[0].together ? no_index : candidates[0].side;
+    std::uint32_t best = no_index;
     unsigned best_worth = 0;
     for (unsigned i = 0; i < count; ++i) {
       const auto [g, together] = candidates[i];
       const unsigned worth = 1u + together + 4 * straightness(g, h);
       if (worth > best_worth) {
         best_worth = worth;
-        best = together ? none : g;
+        best = together ? no_index : g;
       }
     }
     return best;
@@ -385,7 +344,8 @@ class Cutter {
 
   const Faces& faces_;
   const std::uint32_t vertices_;
-  const std::vector<std::uint32_t>&sides_, &ends_;  ///< of defective edges
+  const Adjacency& edges_;                   ///< the defective ones
+  const std::vector<std::uint32_t>& sides_;  ///< of them
   std::vector<HalfEdge>& twins_;
   std::vector<std::uint32_t> region_;            ///< of each face, where it has a defective edge
   std::vector<std::uint32_t> faces_of_;          ///< each region: how many
@@ -393,7 +353,7 @@ class Cutter {
   std::vector<std::uint32_t> open_, next_open_;  ///< sides of each edge that are not glued: a list
   std::vector<std::uint32_t> stack_, waiting_[2];
   std::vector<bool> region_reversed_;
-  Orientation orientation_;
+  SignedSets orientation_;  ///< of regions, weighing their faces
   CornerSet corners_;
 };
 
@@ -409,14 +369,14 @@ void reverse(const Faces& faces, std::span<const std::uint32_t> reversed, CutSur
   for (const std::uint32_t f : reversed)
     for (std::uint32_t h = faces.begin(f); h < faces.end(f); ++h) {
       const HalfEdge g = surface.twins[h];
-      pairs.push_back({now(h), g ? now(g.index()) : none});
+      pairs.push_back({now(h), g ? now(g.index()) : no_index});
     }
   for (const std::uint32_t f : reversed)
     std::reverse(surface.corners.begin() + faces.begin(f) + 1,
                  surface.corners.begin() + faces.end(f));
   for (const auto& [h, g] : pairs) {
     surface.twins[h] = HalfEdge(g);
-    if (g != none) surface.twins[g] = HalfEdge(h);
+    if (g != no_index) surface.twins[g] = HalfEdge(h);
   }
 }
 
@@ -477,9 +437,9 @@ class FanSplitter {
     do {
       take(h);
       h = twins[faces_.prev(h)].index();
-    } while (h != none && h != start);
+    } while (h != no_index && h != start);
     if (h == start) return;
-    for (h = twins[start].index(); h != none;) {
+    for (h = twins[start].index(); h != no_index;) {
       const std::uint32_t corner = faces_.next(h);
       take(corner);
       h = twins[corner].index();
@@ -498,7 +458,7 @@ CutSurface cut(const Faces& faces, std::uint32_t vertex_count, Adjacency adjacen
   CutSurface surface;
   surface.corners.assign(faces.org.begin(), faces.org.end());
   std::vector<std::uint32_t> defects;
-  if (!adjacency.ends.empty()) surface.reversed = Cutter(faces, vertex_count, adjacency).run();
+  if (adjacency.edges() > 0) surface.reversed = Cutter(faces, vertex_count, adjacency).run();
   surface.twins = std::move(adjacency.twins);
   for (const std::uint32_t h : adjacency.sides) {
     defects.push_back(h);

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "codec/base/faces.h"
 #include "codec/soup/adjacency.h"
-#include "codec/soup/faces.h"
 #include "topology/ids.h"
 
 namespace clers::internal {

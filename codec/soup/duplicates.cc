@@ -4,18 +4,17 @@
 #include <numeric>
 #include <span>
 
+#include "codec/base/faces.h"
+
 namespace clers::internal {
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> duplicate_faces(const Mesh& mesh) {
   const std::uint32_t faces = static_cast<std::uint32_t>(mesh.face_count());
-  std::vector<std::uint32_t> corners = mesh.corners, begin(std::size_t(faces) + 1);
-  for (std::uint32_t f = 0; f < faces; ++f) {
-    begin[f + 1] = begin[f] + (mesh.triangles_only() ? 3 : mesh.face_sizes[f]);
-    std::sort(corners.begin() + begin[f], corners.begin() + begin[f + 1]);
-  }
-  const auto vertices = [&](std::uint32_t f) {
-    return std::span<const std::uint32_t>(corners).subspan(begin[f], begin[f + 1] - begin[f]);
-  };
+  std::vector<std::uint32_t> corners = mesh.corners;
+  const Cycles sorted(corners, mesh.face_sizes);
+  for (std::uint32_t f = 0; f < faces; ++f)
+    std::sort(corners.begin() + sorted.begin(f), corners.begin() + sorted.end(f));
+  const auto vertices = [&](std::uint32_t f) { return sorted.cycle(f); };
   std::vector<std::uint32_t> order(faces);
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t f, std::uint32_t g) {

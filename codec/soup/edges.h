@@ -8,7 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "codec/soup/faces.h"
+#include "codec/base/buckets.h"
+#include "codec/base/faces.h"
 
 namespace clers::internal {
 
@@ -25,17 +26,10 @@ void for_each_edge(const Faces& faces, std::uint32_t vertex_count, Visit visit) 
   const auto ends = [&](std::uint32_t h) {
     return std::minmax(faces.org[h], faces.org[faces.next(h)]);
   };
-  const auto sorted = [&](std::span<const std::uint32_t> in, auto key) {
-    std::vector<std::uint32_t> place(std::size_t(vertex_count) + 1), out(n);
-    for (const std::uint32_t h : in) ++place[key(h) + 1];
-    for (std::size_t v = 1; v < place.size(); ++v) place[v] += place[v - 1];
-    for (const std::uint32_t h : in) out[place[key(h)]++] = h;
-    return out;
-  };
-  std::vector<std::uint32_t> order(n);
-  for (std::uint32_t h = 0; h < n; ++h) order[h] = h;
-  order = sorted(order, [&](std::uint32_t h) { return ends(h).second; });
-  order = sorted(order, [&](std::uint32_t h) { return ends(h).first; });
+  const auto low = [&](std::uint32_t h) { return ends(h).first; };
+  const auto high = [&](std::uint32_t h) { return ends(h).second; };
+  std::vector<std::uint32_t> order = Buckets(n, vertex_count, high).items();
+  order = Buckets(order, vertex_count, low).items();
   for (std::uint32_t i = 0; i < n;) {
     std::uint32_t j = i + 1;
     while (j < n && ends(order[i]) == ends(order[j])) ++j;

@@ -6,35 +6,19 @@
 #include <string>
 
 #include "codec/base/check.h"
+#include "codec/base/disjoint_sets.h"
 #include "codec/soup/duplicates.h"
 
 namespace clers::internal {
 namespace {
 
-/// Disjoint sets with path halving.
-class Sets {
- public:
-  explicit Sets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void unite(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
-  }
-  /// The number of sets among the elements that `counts` says to count.
-  template <class Counts>
-  std::uint64_t count(Counts counts) const {
-    std::uint64_t n = 0;
-    for (std::uint32_t i = 0; i < parent_.size(); ++i) n += parent_[i] == i && counts(i);
-    return n;
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
+/// The number of sets whose least element `counts` says to count.
+template <class Counts>
+std::uint64_t count(DisjointSets& sets, std::size_t elements, Counts counts) {
+  std::uint64_t n = 0;
+  for (std::uint32_t i = 0; i < elements; ++i) n += sets.find(i) == i && counts(i);
+  return n;
+}
 
 /// Counts by plain union of what is glued; slow and obvious, and independent of the codec. Works on
 /// corners: the side of a corner runs to the next corner of its face. Degenerate faces are left out
@@ -46,7 +30,7 @@ class Measuring {
   Expected<MeshShape> run() {
     if (auto ok = lay_out(); !ok) return Failure{ok.error()};
     // Sides 2f and 2f + 1 of face f: a component is one-sided when they meet.
-    Sets fans(corners_), faces(faces_), sides_of_faces(2 * faces_);
+    DisjointSets fans(corners_), faces(faces_), sides_of_faces(2 * faces_);
     std::uint64_t edges = 0;
     std::vector<bool> boundary(corners_);
     for_each_edge([&](std::span<const std::uint32_t> sides) {
@@ -81,14 +65,14 @@ class Measuring {
         static_cast<std::uint64_t>(std::count(several.begin(), several.end(), true));
     shape_.isolated_vertices =
         static_cast<std::uint64_t>(std::count(used.begin(), used.end(), false));
-    shape_.components = faces.count([&](std::uint32_t f) { return !degenerate_[f]; });
+    shape_.components = count(faces, faces_, [&](std::uint32_t f) { return !degenerate_[f]; });
 
-    shape_.nonorientable_components = faces.count([&](std::uint32_t f) {
+    shape_.nonorientable_components = count(faces, faces_, [&](std::uint32_t f) {
       return sides_of_faces.find(2 * f) == sides_of_faces.find(2 * f + 1);
     });
 
     // An open fan lies between two boundary edges, so boundary edges linked by fans are the curves.
-    Sets curves(corners_);
+    DisjointSets curves(corners_);
     std::vector<bool> on_boundary(corners_);
     for (std::uint32_t c = 0; c < corners_; ++c) {
       if (!boundary[c]) continue;
@@ -96,7 +80,8 @@ class Measuring {
       curves.unite(from, to);
       on_boundary[from] = on_boundary[to] = true;
     }
-    shape_.boundary_curves = curves.count([&](std::uint32_t c) { return on_boundary[c]; });
+    shape_.boundary_curves =
+        count(curves, corners_, [&](std::uint32_t c) { return on_boundary[c]; });
 
     const std::int64_t regular_faces =
         static_cast<std::int64_t>(shape_.faces - shape_.degenerate_faces);

@@ -1,5 +1,5 @@
-// Faces as they stand in the file: for meshes whose order costs more than it is worth to code them
-// as a surface.
+// Raw faces: corner by corner in the order of the input, for meshes that are hardly a surface, or
+// whose order costs more than a surface saves. Knows no surface. codec/format.md, Mesh.
 #ifndef CLERS_CODEC_SOUP_RAW_FACES_H
 #define CLERS_CODEC_SOUP_RAW_FACES_H
 
@@ -7,27 +7,27 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
-#include "codec/entropy/coder.h"
+#include "codec/base/faces.h"
+#include "codec/entropy/stream.h"
 
 namespace clers::internal {
 
 /// Codes one face after the other: every corner is a vertex seen a little before, the lowest that
-/// was not seen yet, or told by its distance.
+/// was not seen yet, or given by its distance.
 class RawFaceModel {
  public:
   explicit RawFaceModel(std::uint32_t vertex_count) : vertex_count_(vertex_count) {}
 
-  /// A Coder that encodes is told the size.
   template <class Coder>
   std::uint32_t code_size(Coder& coder, std::uint32_t size) {
     size = size_[std::min(last_size_, 5u)].code(coder, size);
     return last_size_ = size;
   }
 
-  /// A Coder that encodes is told the corners; one that decodes fills them in. False: what was
-  /// decoded is no vertex.
+  /// A coder that decodes fills in the corners. False: what was decoded is no vertex.
   template <class Coder>
   bool code_corners(Coder& coder, std::span<std::uint32_t> face) {
     for (std::size_t j = 0; j < face.size(); ++j) {
@@ -82,8 +82,7 @@ class RawFaceModel {
   NumberModel far_[4];
 };
 
-/// Fans of triangles in faces, along which values of plain faces are predicted. No sizes:
-/// triangles.
+/// Fans of triangles in faces, along which values of raw faces are predicted. No sizes: triangles.
 inline std::vector<std::uint32_t> fan_triangles(std::span<const std::uint32_t> corners,
                                                 std::span<const std::uint32_t> sizes) {
   if (sizes.empty()) return {corners.begin(), corners.end()};
@@ -98,6 +97,67 @@ inline std::vector<std::uint32_t> fan_triangles(std::span<const std::uint32_t> c
     face += size;
   }
   return triangles;
+}
+
+/// The first `count` faces, with all the numbers that stand before them.
+inline Bytes encode_raw(const Cycles& faces, std::uint32_t count, std::uint32_t vertices) {
+  Bytes out;
+  put_varint(out, vertices);
+  put_varint(out, faces.count());
+  put_varint(out, faces.org.size());
+  put_bytes(out, encode_stream([&](EncodeTo& coder) {
+              RawFaceModel model(vertices);
+              std::vector<std::uint32_t> face;
+              for (std::uint32_t f = 0; f < count; ++f) {
+                const auto cycle = faces.cycle(f);
+                face.assign(cycle.begin(), cycle.end());
+                model.code_size(coder, static_cast<std::uint32_t>(face.size()));
+                model.code_corners(coder, face);
+              }
+            }));
+  return out;
+}
+
+/// What a mesh of raw faces says before it is decoded. The stream is all that follows.
+struct RawHeader {
+  std::uint64_t vertices = 0, faces = 0, corners = 0;
+  Stream stream;
+
+  void read(ByteReader& in) {
+    vertices = in.varint();
+    faces = in.varint();
+    corners = in.varint();
+    const std::uint64_t at = in.offset();
+    stream = {in.take(in.left()), at};
+  }
+  /// Why the stream cannot have them; empty: it can.
+  std::string fault() const {
+    const std::uint64_t most = std::min(stream.max_decisions(), max_corners);
+    if (vertices <= 0xffffffffu && faces <= most && corners <= most) return {};
+    return std::to_string(faces) + " faces of " + std::to_string(corners) + " corners on " +
+           std::to_string(vertices) + " vertices cannot be coded in " +
+           std::to_string(stream.bytes.size()) + " bytes";
+  }
+};
+
+/// Precondition: no fault, and both arrays are empty. Error: invalid.
+inline Expected<Done> decode_raw(const RawHeader& header, std::vector<std::uint32_t>& sizes,
+                                 std::vector<std::uint32_t>& corners) {
+  return decode_stream(header.stream, "the faces", [&](DecodeFrom& coder) -> std::string {
+    RawFaceModel model(static_cast<std::uint32_t>(header.vertices));
+    corners.resize(static_cast<std::size_t>(header.corners));
+    sizes.reserve(static_cast<std::size_t>(header.faces));
+    std::size_t at = 0;
+    for (std::uint64_t f = 0; f < header.faces; ++f) {
+      const std::uint32_t size = model.code_size(coder, 0);
+      if (size > corners.size() - at) return "more corners than declared";
+      if (!model.code_corners(coder, std::span(corners).subspan(at, size)))
+        return "face " + std::to_string(f) + " has no such vertex";
+      at += size;
+      sizes.push_back(size);
+    }
+    return at == corners.size() ? "" : "fewer corners than declared";
+  });
 }
 
 }  // namespace clers::internal

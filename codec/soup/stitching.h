@@ -1,12 +1,16 @@
-// What undoes the cuts: which vertices of a surface are copies of one vertex of the mesh.
+// What undoes the cuts: which vertices of a surface are copies of one vertex of the mesh. Decoding
+// makes one of them again. Knows the triangles of a surface. codec/format.md, Mesh; the paper's
+// Vertex and Point (CAGD 2010, Appendix A), as a stream.
 //
 // Of the vertices that are one in the mesh the first names their class; the others are its copies.
 // Cuts run along edges, so that there are as many sheets of the same edges: the class of a copy
 // mostly has a member beside another member of the class of one of its neighbours.
 //
+// clang-format off
 //          v ------ w            v is a copy, w is of the class of m:
 //          :        :            the class of v is likely that of a neighbour of m
 //          x ------ m
+// clang-format on
 #ifndef CLERS_CODEC_SOUP_STITCHING_H
 #define CLERS_CODEC_SOUP_STITCHING_H
 
@@ -15,9 +19,12 @@
 #include <cstdint>
 #include <numeric>
 #include <span>
+#include <string>
 #include <vector>
 
-#include "codec/entropy/coder.h"
+#include "codec/base/no_index.h"
+#include "codec/connectivity/coded_surface.h"
+#include "codec/entropy/stream.h"
 
 namespace clers::internal {
 
@@ -75,7 +82,6 @@ class Stitching {
   }
 
  private:
-  static constexpr std::uint32_t none = 0xffffffffu;
   void mark(std::span<const std::uint32_t> classes) {
     marks_.resize(vertices_);
     for (std::uint32_t v = 0; v < vertices_; ++v)
@@ -115,7 +121,7 @@ class Stitching {
     const std::uint32_t count = static_cast<std::uint32_t>(on_cut_.size());
     place_.resize(vertices_);
     for (std::uint32_t i = 0; i < count; ++i) place_[on_cut_[i]] = i;
-    first_.assign(count, none);
+    first_.assign(count, no_index);
     listed_.assign(count, 0);
     neighbours_.reserve(static_cast<std::size_t>(most_neighbours(triangles_.size(), count)));
     const auto list = [&](std::uint32_t a, std::uint32_t b) {
@@ -140,7 +146,7 @@ class Stitching {
 
   template <class Visit>
   void for_each_neighbour(std::uint32_t i, Visit visit) const {
-    for (std::uint32_t k = first_[i]; k != none; k = neighbours_[k].next)
+    for (std::uint32_t k = first_[i]; k != no_index; k = neighbours_[k].next)
       visit(neighbours_[k].place);
   }
 
@@ -148,7 +154,7 @@ class Stitching {
   /// them.
   void gather(std::uint32_t i) {
     candidates_ = both_ = 0;
-    std::array<std::uint32_t, 2> known{none, none};
+    std::array<std::uint32_t, 2> known{no_index, no_index};
     unsigned count = 0;
     for_each_neighbour(i, [&](std::uint32_t w) {
       if (w >= i || count == 2 || ring_[w] == w || class_[w] == known[0]) return;
@@ -212,6 +218,63 @@ inline std::uint32_t number_classes(std::span<std::uint32_t> classes) {
     if (classes[v] == v) number[v] = count++;
   for (std::uint32_t& c : classes) c = number[c];
   return count;
+}
+
+/// `vertices[v]`: which vertex of the input, of `inputs`, vertex v of the surface is, or is a copy
+/// of; then that of each mesh vertex. The surface, too, becomes one on mesh vertices.
+inline EncodedStream encode_copies(std::uint32_t inputs, CodedArrays& surface,
+                                   std::vector<std::uint32_t>& vertices) {
+  const std::uint32_t count = static_cast<std::uint32_t>(vertices.size());
+  std::uint32_t copies = 0;
+  std::vector<std::uint32_t> classes(count), first(inputs, no_index);
+  for (std::uint32_t v = 0; v < count; ++v) {
+    std::uint32_t& c = first[vertices[v]];
+    if (c > v)
+      c = v;
+    else
+      ++copies;
+    classes[v] = c;
+  }
+  EncodedStream out{{copies}, encode_stream([&](EncodeTo& coder) {
+                      Stitching(surface.corners, count, copies).code(coder, classes);
+                    })};
+  const std::uint32_t points = number_classes(classes);
+  for (std::uint32_t v = 0; v < count; ++v) vertices[classes[v]] = vertices[v];
+  vertices.resize(points);
+  stitch(classes, surface.corners, surface.introduced_by);
+  return out;
+}
+
+/// What a mesh says of the copies before it is decoded.
+struct CopiesHeader {
+  std::uint64_t copies = 0;  ///< vertices that the surface has more than the mesh
+  Stream stream;
+
+  void read(ByteReader& in) { stream = read_stream(in, {&copies}); }
+  /// Why a surface of so many vertices cannot have them; empty: it can.
+  std::string fault(std::uint64_t vertices) const {
+    if (copies > 0 && copies < vertices) return {};
+    return std::to_string(copies) + " copies among " + std::to_string(vertices) + " vertices";
+  }
+};
+
+/// Makes mesh vertices of those of the surface, of which there are `vertices`, in `introduced_by`
+/// too unless that is empty. Precondition: no fault. Error: invalid.
+inline Expected<Done> decode_copies(const CopiesHeader& header, std::uint32_t vertices,
+                                    std::span<std::uint32_t> triangles,
+                                    std::vector<std::uint32_t>& introduced_by) {
+  std::vector<std::uint32_t> classes(vertices);
+  auto ok = decode_stream(header.stream, "the copies", [&](DecodeFrom& coder) -> std::string {
+    if (Stitching(triangles, vertices, static_cast<std::uint32_t>(header.copies))
+            .code(coder, classes))
+      return {};
+    return "a vertex is a copy of none, or there are not " + std::to_string(header.copies) +
+           " copies";
+  });
+  if (!ok) return ok;
+  number_classes(classes);
+  stitch(classes, triangles, introduced_by);
+  return ok;
 }
 
 }  // namespace clers::internal

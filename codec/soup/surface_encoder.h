@@ -1,4 +1,5 @@
-// Faces that are not degenerate -> the bytes of the surface that they make.
+// Faces that are not degenerate -> the streams of the surface that they make: the first time that
+// what was cut, reversed and left out is coded. Knows no mesh, no attributes and no sections.
 #ifndef CLERS_CODEC_SOUP_SURFACE_ENCODER_H
 #define CLERS_CODEC_SOUP_SURFACE_ENCODER_H
 
@@ -7,25 +8,23 @@
 #include <span>
 #include <vector>
 
+#include "codec/base/faces.h"
 #include "codec/connectivity/coded_surface.h"
 #include "codec/connectivity/connectivity.h"
-#include "codec/entropy/bytes.h"
+#include "codec/entropy/stream.h"
 #include "codec/error.h"
 #include "codec/order.h"
-#include "codec/soup/faces.h"
 #include "codec/soup/reversed_faces.h"
 
 namespace clers::internal {
 
 /// A coded surface, and how it numbers what it is made of.
 struct EncodedSurface {
-  std::uint32_t features = 0;
-  std::uint64_t copies = 0, turned_faces = 0;
-  std::uint64_t repeated_faces = 0, repeated_corners = 0;
-  std::vector<ReversedRun> runs;              ///< of turned faces
-  Bytes turned, polygons, stitches, repeats;  ///< streams, where there are any
+  EncodedStream reversed, polygons, copies, repeats;  ///< where there are any
   Bytes connectivity;
   ConnectivityCounts counts;
+  std::vector<ReversedRun> reversed_runs;
+  std::uint64_t copied_vertices = 0, repeated_faces = 0;
   bool given_up = false;  ///< nothing else holds
   Permutation order;      ///< vertices: only those that the surface has
   CodedArrays surface;    ///< as far as it is wanted

@@ -15,6 +15,7 @@
 #include <cstring>
 #include <memory>
 
+#include "codec/base/portable.h"
 #include "codec/entropy/rans.h"
 #include "codec/symbols/symbol.h"
 #include "codec/symbols/symbol_priors.h"
@@ -35,16 +36,16 @@ struct SymbolRecord {
 
   /// Moves towards s by 1/2, 1/2, 1/4 .. 1/128 of the way. Every symbol keeps at least 3 units of
   /// rans::scale: targets leave it 4, and rounding takes less than one.
-  [[gnu::always_inline]] void update(unsigned s) {
+  CLERS_ALWAYS_INLINE void update(unsigned s) {
     const int rate = int(std::bit_width(seen + 2)) - 1;
     seen += seen < 126;
-    // Four lanes at once: g++ and clang make this SSE2, or what else there is, with equal results.
-    typedef std::int32_t Lanes __attribute__((vector_size(16)));
-    Lanes lanes;
-    std::memcpy(&lanes, bound + 1, sizeof lanes);
-    const std::int32_t* t = targets[s];
-    lanes += (Lanes{t[0], t[1], t[2], t[3]} - lanes) >> rate;
-    std::memcpy(bound + 1, &lanes, sizeof lanes);
+    // Four lanes at once: from a copy, compilers see that nothing overlaps and make vectors of
+    // them.
+    std::int32_t lanes[4];
+    std::memcpy(lanes, bound + 1, sizeof lanes);
+    const std::int32_t* const t = targets[s];
+    for (unsigned i = 0; i < 4; ++i) lanes[i] += (t[i] - lanes[i]) >> rate;
+    std::memcpy(bound + 1, lanes, sizeof lanes);
   }
 
  private:
@@ -87,7 +88,7 @@ class ContextTables {
 
   /// The distributions after a pivot of valence kx; of k symbols one that was never used before is
   /// a copy of the other.
-  [[gnu::always_inline]] Pair context(std::uint32_t kx) {
+  CLERS_ALWAYS_INLINE Pair context(std::uint32_t kx) {
     kx = std::min(kx, max_valence);
     std::uint32_t index = kx << bits_ | (history_ & mask_);
     if (hashed_) index = index * 0x9e3779b1u >> (32 - table_bits);
@@ -134,11 +135,9 @@ class ContextTables {
 /// The comparisons that find the symbol are also the branches on it. So the processor goes on with
 /// the symbol it expects, the next context included, while the state is still being computed.
 template <class Start, class Learn, class Then>
-[[gnu::always_inline]] inline auto decode_symbol(rans::Decoder& in, Start start, Learn learn,
-                                                 Then& then) {
+CLERS_ALWAYS_INLINE auto decode_symbol(rans::Decoder& in, Start start, Learn learn, Then& then) {
   const std::uint32_t slot = in.slot();
-  const auto take = [&](auto symbol, std::uint32_t low, std::uint32_t high)
-      __attribute__((always_inline)) {
+  const auto take = [&](auto symbol, std::uint32_t low, std::uint32_t high) CLERS_INLINE_LAMBDA {
     in.advance(low, high - low);
     learn(static_cast<unsigned>(symbol()));
     return then(symbol);
@@ -160,12 +159,12 @@ class SingleModel : public ContextTables {
   using ContextTables::ContextTables;
 
   template <class Front, class Gate, class Then>
-  [[gnu::always_inline]] auto decode(rans::Decoder& in, const Front&, const Gate& gate, std::size_t,
-                                     Then then) {
+  CLERS_ALWAYS_INLINE auto decode(rans::Decoder& in, const Front&, const Gate& gate, std::size_t,
+                                  Then then) {
     const Pair p = context(gate.kx);
     return decode_symbol(
-        in, [&](unsigned s) __attribute__((always_inline)) { return p.second.start(s); },
-        [&](unsigned s) __attribute__((always_inline)) { learn(p, s); }, then);
+        in, [&](unsigned s) CLERS_INLINE_LAMBDA { return p.second.start(s); },
+        [&](unsigned s) CLERS_INLINE_LAMBDA { learn(p, s); }, then);
   }
 
   /// The interval of a symbol, for coding it or for counting what it costs.
@@ -179,7 +178,7 @@ class SingleModel : public ContextTables {
   }
 
  private:
-  [[gnu::always_inline]] void learn(const Pair& p, unsigned s) {
+  CLERS_ALWAYS_INLINE void learn(const Pair& p, unsigned s) {
     if (p.second.seen <= 16) p.first.update(s);
     p.second.update(s);
     remember(s);
@@ -194,13 +193,13 @@ class PairModel : public ContextTables {
       : ContextTables(k), weights_(quick ? quick_trust : slow_trust) {}
 
   template <class Front, class Gate, class Then>
-  [[gnu::always_inline]] auto decode(rans::Decoder& in, const Front&, const Gate& gate, std::size_t,
-                                     Then then) {
+  CLERS_ALWAYS_INLINE auto decode(rans::Decoder& in, const Front&, const Gate& gate, std::size_t,
+                                  Then then) {
     const Pair p = context(gate.kx);
     const std::uint32_t w = weight(p);
     return decode_symbol(
-        in, [&](unsigned s) __attribute__((always_inline)) { return start(p, w, s); },
-        [&](unsigned s) __attribute__((always_inline)) { learn(p, s); }, then);
+        in, [&](unsigned s) CLERS_INLINE_LAMBDA { return start(p, w, s); },
+        [&](unsigned s) CLERS_INLINE_LAMBDA { learn(p, s); }, then);
   }
 
   rans::Interval encode(Clers symbol, std::uint32_t kx) {
@@ -227,7 +226,7 @@ class PairModel : public ContextTables {
     return static_cast<std::uint32_t>(
         (8 * first + (second - first) * static_cast<std::int32_t>(w)) >> 3);
   }
-  [[gnu::always_inline]] void learn(const Pair& p, unsigned s) {
+  CLERS_ALWAYS_INLINE void learn(const Pair& p, unsigned s) {
     if (p.second.seen <= 62) p.first.update(s);
     p.second.update(s);
     remember(s);

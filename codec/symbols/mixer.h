@@ -6,7 +6,9 @@
 #define CLERS_CODEC_SYMBOLS_MIXER_H
 
 #include <cstdint>
-#if defined(__SSE2__)
+
+#include "codec/base/portable.h"
+#if CLERS_SSE2
 #include <emmintrin.h>
 #endif
 
@@ -33,7 +35,7 @@ inline void train(const std::int16_t* x, std::int32_t* w, unsigned n, std::int16
 
 }  // namespace plain
 
-#if defined(__SSE2__)
+#if CLERS_SSE2
 
 inline std::int32_t dot(const std::int16_t* x, const std::int32_t* w, unsigned n) {
   __m128i sum = _mm_setzero_si128();

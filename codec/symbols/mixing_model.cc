@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "codec/base/portable.h"
 #include "codec/symbols/logistic.h"
 #include "codec/symbols/mixing_weights.h"
 
@@ -221,7 +222,7 @@ void MixingModel::find_contexts(const Local& l, std::size_t aside) {
   static_assert(std::size(hashes) == contexts);
   for (unsigned c = 0; c < contexts; ++c) {
     slot_[c] = &slots_[(std::size_t(c) << table_bits_) + (hashes[c] >> (32 - table_bits_))];
-    __builtin_prefetch(slot_[c], 1);
+    fetch_for_writing(slot_[c]);
   }
 }
 

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "codec/base/portable.h"
 #include "codec/symbols/symbol.h"
 
 namespace clers::internal {
@@ -55,7 +56,7 @@ class PrefixCode {
   bool ok() const { return true; }
 
   template <class Coder, class Front, class Gate, class Then>
-  [[gnu::always_inline]] auto decode(Coder&, const Front&, const Gate&, std::size_t, Then then) {
+  CLERS_ALWAYS_INLINE auto decode(Coder&, const Front&, const Gate&, std::size_t, Then then) {
     if (left_ < 4) refill();
     if (!take()) return then(Symbol<Clers::C>());
     if (!take()) return then(Symbol<Clers::R>());
@@ -85,7 +86,7 @@ class PrefixCode {
       slow_refill();
     }
   }
-  [[gnu::noinline]] void slow_refill() {
+  CLERS_NEVER_INLINE void slow_refill() {
     if (left_ < 0) return;
     for (; next_ != end_; ++next_, left_ += 8)
       bits_ |= std::to_integer<std::uint64_t>(*next_) << left_;

@@ -1,4 +1,4 @@
-// The five symbols of Edgebreaker (paper §7.2, Fig. 14) and how a handle or a hole shows among
+// The five symbols of Edgebreaker (CAGD 2010, §7.2, Fig. 14) and how a handle or a hole shows among
 // them.
 #ifndef CLERS_CODEC_SYMBOLS_SYMBOL_H
 #define CLERS_CODEC_SYMBOLS_SYMBOL_H
@@ -6,17 +6,23 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "codec/base/portable.h"
+
 namespace clers::internal {
 
-/// How the triangle behind the gate lies to what is already visited. The symbol names the side that
-/// is visited: L = left visited, the walk goes right. The numbers are the file format's.
+/// How the triangle behind the gate meets what is already visited (#; topology/figures has a
+/// drawing). A symbol names the side that is visited: L, left visited, and the walk goes right. The
+/// printed algorithm says so, the text beside it the contrary (topology/errata.md). The numbers are
+/// the file format's.
 ///
-///         v            v            v            v            v
-///        / \          / \ right    / \ left     / \          / \      _
-///       /   \        /   .visited  .   \       /   \        .   .
-///      a=gate>b     a=gate>b      a=gate>b    a=gate>b     a=gate>b
-///      C: v new      R             L          S: v visited, E: all
-///                                             sides not      visited
+///           v              v              v             #v#              v
+///          / \            / \ #        # / \            / \          # / \ #
+///         /   \          /   \ #      # /   \          /   \        # /   \ #
+///        a ==> b        a ==> b        a ==> b        a ==> b        a ==> b
+///        #######        #######        #######        #######        #######
+///           C              R              L              S              E
+///       v is new      right visited  left visited   v visited, but    all visited
+///                                                   neither side
 enum class Clers : std::uint8_t { C = 0, R = 1, L = 2, S = 3, E = 4 };
 
 /// A symbol as a type, for code that is generated for each.
@@ -25,7 +31,7 @@ using Symbol = std::integral_constant<Clers, symbol>;
 
 /// then(Symbol<symbol>()).
 template <class Then>
-[[gnu::always_inline]] inline auto with_symbol(Clers symbol, Then&& then) {
+CLERS_ALWAYS_INLINE auto with_symbol(Clers symbol, Then&& then) {
   switch (symbol) {
     case Clers::C: return then(Symbol<Clers::C>());
     case Clers::R: return then(Symbol<Clers::R>());

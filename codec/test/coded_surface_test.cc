@@ -16,6 +16,7 @@
 #include "codec/test/polygon_surface.h"
 #include "corpus/generate.h"
 #include "corpus/random_gluing.h"
+#include "topology/mirror.h"
 
 namespace clers::internal {
 namespace {
@@ -291,9 +292,9 @@ TEST(CodedSurface, OfCutFaces) {
                                       Wanted::surface_with_twins, [] { return false; });
     ASSERT_TRUE(coded.ok()) << describe(coded.error());
     const CodedSurface surface = coded->surface.view();
-    stitched |= coded->copies > 0;
+    stitched |= coded->copied_vertices > 0;
     const Decoded found = decoded(coded->connectivity);
-    if (coded->copies == 0) {
+    if (coded->copied_vertices == 0) {
       check_against_search(surface, surface.introduced_by.size());
       EXPECT_EQ(coded->surface.corners, found.corners);
     }

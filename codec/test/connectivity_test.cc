@@ -16,6 +16,7 @@
 #include "corpus/enumerate.h"
 #include "corpus/generate.h"
 #include "corpus/random_gluing.h"
+#include "topology/mirror.h"
 
 namespace clers::internal {
 namespace {

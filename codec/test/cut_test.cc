@@ -9,12 +9,11 @@
 #include <numeric>
 #include <random>
 
+#include "codec/base/no_index.h"
 #include "codec/soup/adjacency.h"
 
 namespace clers::internal {
 namespace {
-
-constexpr std::uint32_t none = HalfEdge::null_index;
 
 class Sets {
  public:
@@ -51,8 +50,8 @@ Cost cost_of(const std::vector<std::uint32_t>& across, const std::vector<std::ui
   std::int64_t edges = 0;
   for (std::uint32_t g = 0; g < org.size(); ++g) {
     const std::uint32_t h = across[g];
-    edges += h == none || g < h;
-    if (h == none) continue;
+    edges += h == no_index || g < h;
+    if (h == no_index) continue;
     components.unite(g / 3, h / 3);
     for (const std::uint32_t a : {g, next(g)})
       for (const std::uint32_t b : {h, next(h)})
@@ -61,7 +60,7 @@ Cost cost_of(const std::vector<std::uint32_t>& across, const std::vector<std::ui
   Sets curves(org.size());  // by fans: the sides of a boundary lead from one to the next
   std::vector<bool> on_boundary(org.size());
   for (std::uint32_t g = 0; g < org.size(); ++g) {
-    if (across[g] != none) continue;
+    if (across[g] != no_index) continue;
     const std::uint32_t a = fans.find(g), b = fans.find(next(g));
     curves.unite(a, b);
     on_boundary[a] = on_boundary[b] = true;
@@ -78,7 +77,7 @@ Cost cost_of(const std::vector<std::uint32_t>& across, const std::vector<std::ui
 class Exhaustive {
  public:
   explicit Exhaustive(const std::vector<std::uint32_t>& org)
-      : org_(org), across_(org.size(), none) {
+      : org_(org), across_(org.size(), no_index) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> edges;
     for (std::uint32_t h = 0; h < org.size(); ++h)
       edges[std::minmax(org[h], org[next(h)])].push_back(h);
@@ -107,15 +106,15 @@ class Exhaustive {
     if (i == sides.size()) return pair(e + 1, 0);
     const std::uint32_t g = sides[i];
     bool any = false;
-    if (across_[g] == none) {
+    if (across_[g] == no_index) {
       for (std::size_t j = i + 1; j < sides.size(); ++j) {
         const std::uint32_t h = sides[j];
-        if (across_[h] != none || runs_up(g) == runs_up(h)) continue;
+        if (across_[h] != no_index || runs_up(g) == runs_up(h)) continue;
         any = true;
         across_[g] = h;
         across_[h] = g;
         pair(e, i + 1);
-        across_[g] = across_[h] = none;
+        across_[g] = across_[h] = no_index;
       }
     }
     // Of two sides that can be glued one way only, leaving them apart is never better.
@@ -131,7 +130,7 @@ class Exhaustive {
 
 /// The cost of what cut() makes, in terms of the input's sides.
 Cost cost_of(const CutSurface& cut, const std::vector<std::uint32_t>& org) {
-  std::vector<std::uint32_t> side(cut.corners.size()), across(org.size(), none);
+  std::vector<std::uint32_t> side(cut.corners.size()), across(org.size(), no_index);
   std::iota(side.begin(), side.end(), 0u);
   for (const std::uint32_t f : cut.reversed) std::swap(side[3 * f], side[3 * f + 2]);
   for (std::uint32_t h = 0; h < side.size(); ++h)

@@ -36,6 +36,7 @@ class WrittenOutSurface {
   WrittenOutSurface() { create(); }
 
   const Curve& curve() const { return curve_; }
+  const Curve& pending() const { return aside_.back(); }
   std::size_t faces() const { return corners_.size() / 3; }
 
   /// Whether x may be glued to a vertex: no face has both, and none has y.
@@ -195,8 +196,8 @@ class WrittenOutSurface {
   std::uint32_t components_ = 0, hole_count_ = 0, handles_ = 0;
 };
 
-/// A legal stream of about `faces` faces. `choose(n)` gives 0 .. n - 1. A handle joins curves of
-/// one component, as in what encoders make.
+/// A legal stream of about `faces` faces. `choose(n)` gives 0 .. n - 1. A handle may join a curve
+/// of a part that an S joins later, which no encoder makes.
 template <class Choose>
 LegalStream legal_stream(std::uint32_t faces, Choose choose) {
   WrittenOutSurface surface;
@@ -205,28 +206,20 @@ LegalStream legal_stream(std::uint32_t faces, Choose choose) {
   const auto length = [&] { return static_cast<std::uint32_t>(surface.curve().size()); };
   const auto at = [&](std::uint32_t back) { return surface.curve()[length() - 1 - back].vertex; };
 
-  // How many gates were aside when a waiting curve was split off, or fewer where its component was
-  // glued to one of those since: its component is the gate's where there are as many now.
-  std::vector<std::size_t> depths;
-
   const auto split = [&](bool hole) {
     if (length() < 5) return false;
     const std::uint32_t d = 2 + choose(length() - 4);
     if (!surface.may_glue(at(d + 1), at(d))) return false;
     hole ? writer.hole(d) : writer.split(d);
-    if (!hole) depths.push_back(writer.aside());
     surface.split(d, hole);
     return true;
   };
   const auto join = [&] {
     if (writer.waiting() == 0) return false;
     const std::uint32_t recency = choose(static_cast<std::uint32_t>(writer.waiting()));
-    const auto depth = depths.end() - 1 - static_cast<std::ptrdiff_t>(recency);
-    if (*depth != writer.aside()) return false;
     const std::uint32_t position = choose(writer.waiting_length(recency));
     const WrittenOutSurface::Curve ring = surface.turned(recency, position);
     if (!surface.may_glue(ring.back().vertex, ring.front().vertex)) return false;
-    depths.erase(depth);
     writer.join(recency, position);
     surface.join(recency, position);
     return true;
@@ -234,8 +227,12 @@ LegalStream legal_stream(std::uint32_t faces, Choose choose) {
   const auto l = [&] { writer.l(), surface.l(); };
   const auto r = [&] { writer.r(), surface.r(); };
   const auto s = [&] {
+    if (writer.aside() == 0) return false;
+    // A handle may already join the two.
+    const WrittenOutSurface::Curve& other = surface.pending();
+    if (!surface.may_glue(other.back().vertex, other.front().vertex)) return false;
     writer.s(), surface.s();
-    for (std::size_t& depth : depths) depth = std::min(depth, writer.aside());
+    return true;
   };
 
   while (writer.faces() < faces) {
@@ -261,9 +258,7 @@ LegalStream legal_stream(std::uint32_t faces, Choose choose) {
         }
         break;
       case 10:
-      case 11:
-        if (writer.aside() > 0) s();
-        break;
+      case 11: s(); break;
       case 12: split(true); break;
       case 13: split(false); break;
       default: join(); break;
@@ -271,13 +266,8 @@ LegalStream legal_stream(std::uint32_t faces, Choose choose) {
     if (writer.faces() == before) r();  // that could not be
   }
   // A vertex of its own can be glued to all but its neighbours.
-  while (writer.waiting() > 0 || writer.aside() > 0) {
-    if (writer.aside() > 0) {
-      s();
-    } else if (!join()) {
-      l();
-    }
-  }
+  while (writer.waiting() > 0 || writer.aside() > 0)
+    if (!(writer.aside() > 0 ? s() : join())) l();
   const bool closed = closable();
   LegalStream out = surface.finish(closed);
   out.bytes = writer.finish(closed);

@@ -7,11 +7,15 @@
 #include <ctime>
 #include <limits>
 #include <string>
+#include <type_traits>
 
 #include "codec/connectivity/connectivity.h"
+#include "codec/connectivity/spirale_reversi.h"
+#include "codec/connectivity/stream_source.h"
 #include "codec/test/coded_surface.h"
 #include "codec/test/correspondence.h"
 #include "corpus/random.h"
+#include "topology/mirror.h"
 
 namespace clers::internal {
 namespace {
@@ -43,6 +47,27 @@ Expected<EncodedConnectivity> encode(const Decoded& in, int level) {
   return encode_connectivity({in.corners, twins, in.vertices}, level);
 }
 
+/// Empty if each operator is on a full surface what the decoder takes it for, the front's curves
+/// and vertices are the surface's, and the vertices that come out.
+std::string difference_from_mirror(std::span<const std::byte> bytes,
+                                   std::span<const std::uint32_t> decoded) {
+  const auto header = *read_connectivity_header(bytes, 0);
+  std::vector<std::uint32_t> corners(3 * std::size_t(header.faces));
+  std::vector<FrontLink> links(header.vertices + header.merges);
+  Building building;
+  building.corners = corners;
+  building.links = links;
+  BuildingMirror mirror(links.size());
+  StreamError error;
+  with_stream_source(header, bytes, [&](auto& source) {
+    using Source = std::remove_reference_t<decltype(source)>;
+    error = SpiraleReversi<BuildingMirror, Source>(building, mirror, source).run();
+  });
+  if (error.broken != StreamFault::none) return "broken";
+  if (!mirror.agrees) return "the front and the full surface do not agree";
+  return mirror.same_vertices(decoded) ? "" : "the vertices are not the surface's";
+}
+
 /// What a decoder makes of a stream is what its symbols say, and can be coded: to the same surface,
 /// and from there to the same bytes.
 void check(const LegalStream& stream, int level) {
@@ -55,6 +80,8 @@ void check(const LegalStream& stream, int level) {
   EXPECT_EQ(decoded->counts.components, stream.components);
   EXPECT_EQ(decoded->counts.coded_holes, stream.holes);
   EXPECT_EQ(decoded->counts.handles, stream.handles);
+
+  EXPECT_EQ(difference_from_mirror(stream.bytes, decoded->corners), "");
 
   const auto coded = encode(*decoded, level);
   ASSERT_TRUE(coded.ok()) << describe(coded.error());

@@ -1,6 +1,4 @@
 // Meshes coded in pieces: tiny ones, so that everything is a seam.
-#include "codec/pieces/pieces.h"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -12,8 +10,10 @@
 
 #include "codec/base/parallel.h"
 #include "codec/compare.h"
+#include "codec/file/mesh_encoder.h"
 #include "codec/inspect.h"
 #include "codec/pieces/partition.h"
+#include "codec/pieces/piece_cutter.h"
 #include "codec/pieces/seams.h"
 #include "codec/test/round_trip.h"
 #include "corpus/generate.h"

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "topology/derived.h"
 #include "topology/figures/scene.h"
 #include "topology/stellar.h"
 #include "topology/test/meshes.h"
@@ -34,7 +35,7 @@ void glue(Scene& scene, HalfEdge a, HalfEdge b, HandleCase expected) {
 }
 
 Scene patch(const test::Triangles& triangles, std::vector<Place> at) {
-  return {test::from_triangles(triangles), std::move(at), {}, {}, {}};
+  return {test::from_triangles(triangles), std::move(at), {}, {}, {}, {}};
 }
 
 HalfEdge between(const Scene& scene, std::uint32_t a, std::uint32_t b) {
@@ -171,6 +172,101 @@ std::vector<Place> bent(Gap gap) {
   return at;
 }
 
+/// The triangles of a tube whose ends meet if it is closed.
+test::Triangles tube(bool closed) {
+  test::Triangles triangles;
+  const std::uint32_t vertices = (tube_length + (closed ? 0 : 1)) * tube_around;
+  for (std::uint32_t i = 0; i < tube_length; ++i)
+    for (std::uint32_t j = 0; j < tube_around; ++j) {
+      const std::uint32_t p = i * tube_around + j, q = i * tube_around + (j + 1) % tube_around;
+      const std::uint32_t p1 = (p + tube_around) % vertices, q1 = (q + tube_around) % vertices;
+      triangles.push_back({p, p1, q1});
+      triangles.push_back({p, q1, q});
+    }
+  return triangles;
+}
+
+/// A disk as a fan about vertex 0.
+Scene fan(std::uint32_t corners, double radius) {
+  test::Triangles triangles;
+  std::vector<Place> at{{}};
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    triangles.push_back({0, 1 + i, 1 + (i + 1) % corners});
+    at.push_back(on_circle(radius, i / double(corners)));
+  }
+  return patch(triangles, at);
+}
+
+std::string handles_by_index() {
+  Figure figure(70, 190, 160);
+  figure.panel(fan(16, 0.9), "A0; B0 is empty");
+  Scene square = strip(3, [](std::uint32_t i, std::uint32_t side) {
+    return Place{0.5 * i - 0.75, side == 0 ? -0.6 : 0.6};
+  });
+  square.marked = {between(square, 1, 0), between(square, 6, 7)};
+  must(square.surface.is_boundary(square.marked[0]) && square.surface.is_boundary(square.marked[1]),
+       "sides");
+  figure.panel(square, "A1 and B1, two sides");
+  Scene disk = fan(16, 0.9);
+  for (const HalfEdge h : disk.surface.boundary(*disk.surface.curves().begin()))
+    disk.marked.push_back(h);
+  figure.panel(disk, "A2 and B2, its boundary");
+  return figure.svg();
+}
+
+/// A torus in four handles: a piece of the tube, a piece that closes it around, a piece that closes
+/// it along its length, and the rest.
+std::string torus_of_handles() {
+  Figure figure(50, 190, 160);
+  const std::vector<Place> at = bent([](std::uint32_t) { return 0.0; });
+  const auto handle_of = [](Face f) {
+    const std::uint32_t i = f.index() / 2 / tube_around, j = f.index() / 2 % tube_around;
+    const bool front = i < 2 || i >= tube_length - 2;
+    if (front) return j < 5 ? 0u : 1u;
+    return j < 3 ? 2u : 3u;
+  };
+  Surface s = test::from_triangles(tube(true));
+  must(s.genus() == 1 && s.characteristic().b == 0, "a torus");
+  // The edges along which each handle is attached: those to a handle before it.
+  std::vector<std::pair<HalfEdge, HalfEdge>> seams[4];
+  std::vector<HalfEdge> edges;
+  for (const HalfEdge h : s.edges()) edges.push_back(h);
+  for (const HalfEdge h : edges) {
+    const HalfEdge t = s.sym(h);
+    const unsigned later = std::max(handle_of(left(h)), handle_of(left(t)));
+    if (handle_of(left(h)) == handle_of(left(t))) continue;
+    seams[later].push_back({h, t});
+    must(bool(s.unglue(h)), "cut");
+  }
+  must(s.characteristic().s == 4 && s.characteristic().b == 4, "four disks");
+
+  struct Expected {
+    std::int64_t euler, b, g;
+  };
+  constexpr Expected expected[4] = {{1, 1, 0}, {0, 2, 0}, {-1, 1, 1}, {0, 0, 1}};
+  const char* captions[4] = {"S1 = H0, one curve", "S2: two curves", "S3: one, and a handle",
+                             "S4: none"};
+  for (unsigned k = 0; k < 4; ++k) {
+    for (const auto& [h, t] : seams[k]) must(bool(s.glue(h, t)), "glue");
+    Scene scene;
+    scene.surface = s;
+    for (const Face f : s.faces())
+      if (handle_of(f) > k) must(detach(scene.surface, f));
+    const Characteristic& c = scene.surface.characteristic();
+    must(c.euler() == expected[k].euler && c.b == expected[k].b && c.g == expected[k].g && c.s == 1,
+         "Theorem 5");
+    for (const Vertex v : scene.surface.vertices())
+      scene.place(v) = at[scene.surface.point(v).index()];
+    for (const auto& [h, t] : seams[k]) scene.marked.push_back(h);
+    if (k == 0)
+      figure.panel(scene, captions[k]);
+    else
+      figure.arrow(k == 3 ? "+ H2" : "+ H1"), figure.panel(scene, captions[k]);
+    if (k == 1) figure.row();
+  }
+  return figure.svg();
+}
+
 std::string handles_of_type_1() {
   Figure figure(62, 210, 190);
   // (a) two components.
@@ -209,14 +305,7 @@ std::string handles_of_type_1() {
   figure.panel(b, "(b) two");
   figure.row();
   // (c) two boundary curves of one component.
-  test::Triangles triangles;
-  for (std::uint32_t i = 0; i < tube_length; ++i)
-    for (std::uint32_t j = 0; j < tube_around; ++j) {
-      const std::uint32_t p = i * tube_around + j, q = i * tube_around + (j + 1) % tube_around;
-      triangles.push_back({p, p + tube_around, q + tube_around});
-      triangles.push_back({p, q + tube_around, q});
-    }
-  Scene c = patch(triangles, bent([](std::uint32_t) { return 0.1; }));
+  Scene c = patch(tube(false), bent([](std::uint32_t) { return 0.1; }));
   must(c.surface.characteristic().b == 2, "a tube");
   constexpr std::uint32_t last = tube_length * tube_around;
   const HalfEdge front = between(c, 2, 1), back = between(c, last + 1, last + 2);
@@ -259,14 +348,7 @@ std::string close() {
 
 std::string zip() {
   Figure figure(70, 190, 180);
-  // A fan about 0; its edge to the right is cut.
-  test::Triangles triangles;
-  std::vector<Place> at{{}};
-  for (std::uint32_t i = 0; i < 8; ++i) {
-    triangles.push_back({0, 1 + i, 1 + (i + 1) % 8});
-    at.push_back(on_circle(1.15, i / 8.));
-  }
-  Scene s = patch(triangles, at);
+  Scene s = fan(8, 1.15);  // its edge to the right is cut
   const HalfEdge h = between(s, 0, 1), t = s.surface.sym(h);
   must(must(s.surface.unglue(h)) == HandleCase::zip, "a notch");
   s.place(s.surface.dest(h)) = on_circle(1.15, 0.055);
@@ -284,7 +366,7 @@ std::string zip() {
 std::string two_zips() {
   Figure figure(44, 200, 160);
   // Four squares by three, cut from the middle of the upper side two edges down.
-  Scene open{test::grid(4, 3), {}, {}, {}, {}};
+  Scene open{test::grid(4, 3), {}, {}, {}, {}, {}};
   for (std::uint32_t v = 0; v < 20; ++v) open.at.push_back({v % 5 - 2., v / 5 - 1.5});
   const HalfEdge outer = between(open, 17, 12), inner = between(open, 12, 7);
   const HalfEdge outer_twin = open.surface.sym(outer), inner_twin = open.surface.sym(inner);
@@ -332,14 +414,7 @@ std::string two_zips() {
 
 std::string edge_collapse() {
   Figure figure(62, 160, 160);
-  // About 0 a ring of six; the edge to 1 is collapsed.
-  test::Triangles triangles;
-  std::vector<Place> at{{}};
-  for (std::uint32_t i = 0; i < 6; ++i) {
-    triangles.push_back({0, 1 + i, 1 + (i + 1) % 6});
-    at.push_back(on_circle(1.1, i / 6.));
-  }
-  Scene s = patch(triangles, at);
+  Scene s = fan(6, 1.1);  // the edge from 0 to 1 is collapsed
   s.marked = {between(s, 0, 1)};
   s.dot(Vertex(0));
   Scene merged = s;
@@ -408,6 +483,74 @@ std::string sqrt3_rules() {
   return figure.svg();
 }
 
+/// A move of Edgebreaker: the triangle at the gate and what is left of the six around its apex, the
+/// origin of the plane; and when it is detached. Faces 0 .. 5 counterclockwise, the gate's is 4.
+void move_of_edgebreaker(Figure& figure, char symbol, const std::vector<std::uint32_t>& visited,
+                         const char* meaning, const char* next) {
+  Scene s = fan(6, 1);
+  for (std::size_t v = 0; v < s.at.size(); ++v)  // a side at the bottom
+    if (v > 0) s.at[v] = on_circle(1, (static_cast<double>(v) - 1) / 6);
+  const Face f(4);
+  const HalfEdge gate = half_edge(f, 1), right = lnext(gate), left_side = lprev(gate);
+  const auto take = [&](Face face) {
+    std::array<Place, 3> corners;
+    for (unsigned i = 0; i < 3; ++i) corners[i] = s.at[s.surface.org(half_edge(face, i)).index()];
+    s.gone.push_back(corners);
+  };
+  const auto places_by_point = [&] {
+    for (const Vertex v : s.surface.vertices())
+      if (s.surface.point(v).index() < 7) {
+        const std::uint32_t p = s.surface.point(v).index();
+        s.place(v) = p == 0 ? Place{} : on_circle(1, (p - 1.) / 6);
+      }
+  };
+  for (const std::uint32_t face : visited) {
+    take(Face(face));
+    must(detach(s.surface, Face(face)));
+    places_by_point();
+  }
+  const Surface& surface = s.surface;
+  const Vertex v = surface.org(left_side);
+  const bool is_visited = surface.is_boundary(v), is_right = surface.is_boundary(right),
+             is_left = surface.is_boundary(left_side);
+  must((!is_visited ? 'C'
+        : is_right  ? (is_left ? 'E' : 'R')
+        : is_left   ? 'L'
+                    : 'S') == symbol,
+       "the symbol");
+  must(surface.is_boundary(gate), "the gate");
+  s.marked = {gate};
+  s.dot(v);
+  figure.panel(s, meaning);
+
+  // detach (§6.4): the left side first.
+  const HalfEdge to_right = surface.sym(right), to_left = surface.sym(left_side);
+  take(f);
+  if (!is_left) must(s.surface.unglue(left_side));
+  if (!is_right) must(s.surface.unglue(right));
+  must(s.surface.destroy(f));
+  must(validate(s.surface).empty(), "validate");
+  must(s.surface.characteristic().s == (symbol == 'E' ? 0 : symbol == 'S' ? 2 : 1), "what is left");
+  places_by_point();
+  s.unmark();
+  if (to_right) s.marked.push_back(to_right);
+  if (to_left && (is_right || symbol == 'S')) s.marked.push_back(to_left);
+  figure.arrow(std::string(1, symbol));
+  figure.panel(s, next);
+}
+
+std::string moves_of_edgebreaker() {
+  Figure figure(52, 150, 120);
+  move_of_edgebreaker(figure, 'C', {}, "v is new", "on through the right");
+  move_of_edgebreaker(figure, 'L', {3}, "left visited", "on through the right");
+  figure.row();
+  move_of_edgebreaker(figure, 'E', {0, 1, 2, 3, 5}, "all visited", "end");
+  move_of_edgebreaker(figure, 'R', {5}, "right visited", "on through the left");
+  figure.row();
+  move_of_edgebreaker(figure, 'S', {1}, "v visited, no side", "right, then left");
+  return figure.svg();
+}
+
 void save(const std::string& directory, const char* file, const std::string& svg) {
   std::ofstream out(directory + "/" + file, std::ios::binary);
   out << svg;
@@ -428,6 +571,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::string directory = argv[1];
+  save(directory, "fig01-handles.svg", handles_by_index());
+  save(directory, "fig02-torus-of-handles.svg", torus_of_handles());
   save(directory, "fig03-bistellar-moves.svg", bistellar_moves());
   save(directory, "fig04-split-interior-edge.svg", split_edge(diamond(), "of an edge inside"));
   save(directory, "fig05-split-boundary-edge.svg",
@@ -439,5 +584,6 @@ int main(int argc, char** argv) {
   save(directory, "fig10-zip.svg", zip());
   save(directory, "fig11-two-zips.svg", two_zips());
   save(directory, "fig12-edge-collapse.svg", edge_collapse());
+  save(directory, "fig14-edgebreaker.svg", moves_of_edgebreaker());
   save(directory, "fig15-sqrt3.svg", sqrt3_rules());
 }

@@ -34,10 +34,13 @@ void Figure::line(double x0, double y0, double x1, double y1) {
 void Figure::panel(const Scene& scene, const std::string& caption) {
   const Surface& s = scene.surface;
   const double left = x_, middle_x = left + panel_width_ / 2, middle_y = y_ + panel_height_ / 2;
-  const auto place = [&](Vertex v) {
-    const Place& p = scene.at[v.index()];
+  const auto on_page = [&](const Place& p) {
     return Place{middle_x + unit_ * p.x, middle_y - unit_ * p.y, p.z};
   };
+  const auto place = [&](Vertex v) { return on_page(scene.at[v.index()]); };
+  for (const auto& [a, b, c] : scene.gone)
+    body_ += "<path fill=\"none\" style=\"stroke:#b8c0c6;stroke-dasharray:3 3\" d=\"M" +
+             point(on_page(a)) + 'L' + point(on_page(b)) + 'L' + point(on_page(c)) + "z\"/>\n";
   // A side from its origin on, as a straight or a bent line.
   const auto side = [&](HalfEdge h) {
     const Place a = place(s.org(h)), b = place(s.dest(h));

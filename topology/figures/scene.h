@@ -2,6 +2,7 @@
 #ifndef CLERS_TOPOLOGY_FIGURES_SCENE_H
 #define CLERS_TOPOLOGY_FIGURES_SCENE_H
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -20,7 +21,8 @@ struct Scene {
   std::vector<Place> at;  ///< by vertex
   std::vector<HalfEdge> marked;
   std::vector<Vertex> dots;
-  std::map<HalfEdge, double> bends;  ///< how far a side bulges to its right, in its lengths
+  std::map<HalfEdge, double> bends;        ///< how far a side bulges to its right, in its lengths
+  std::vector<std::array<Place, 3>> gone;  ///< triangles that were there
 
   Place& place(Vertex v) {
     if (v.index() >= at.size()) at.resize(v.index() + std::size_t{1});

@@ -42,9 +42,7 @@ SharpEdges sharp_edges(const Surface& surface, const Creases& creases, Vertex v)
 std::vector<HalfEdge> edges_of(const Surface& surface) {
   std::vector<HalfEdge> edges;
   edges.reserve(static_cast<std::size_t>(surface.characteristic().e));
-  for (const Face f : surface.faces())
-    for (const HalfEdge h : surface.star(f))
-      if (surface.is_boundary(h) || h < surface.sym(h)) edges.push_back(h);
+  for (const HalfEdge h : surface.edges()) edges.push_back(h);
   return edges;
 }
 

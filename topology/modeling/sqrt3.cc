@@ -12,17 +12,13 @@ double alpha(std::uint32_t n) {
   return (4 - 2 * std::cos(2 * std::numbers::pi / n)) / 9;
 }
 
-bool same_edge(const Surface& s, HalfEdge a, HalfEdge b) {
-  return a == b || (s.sym(a) && s.sym(a) == b);
-}
-
 /// The mask of the vertex near `end` on the edge of h.
 void edge_mask(const Surface& s, const Creases& creases, HalfEdge h, Vertex end,
                std::vector<Term>& mask) {
   const Vertex other = s.other_end(h, end);
   const SharpEdges sharp = sharp_edges(s, creases, end);
   if (sharp.curve()) {
-    const Vertex before = sharp.ends[same_edge(s, sharp.edges[0], h) ? 1 : 0];
+    const Vertex before = sharp.ends[s.same_edge(sharp.edges[0], h) ? 1 : 0];
     mask = {{before, 1. / 27}, {end, 16. / 27}, {other, 10. / 27}};
   } else {
     mask = {{end, 2. / 3}, {other, 1. / 3}};

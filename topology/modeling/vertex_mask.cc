@@ -10,7 +10,7 @@ void vertex_mask(const Surface& surface, const Creases& creases, Vertex v,
     const std::uint32_t n = surface.degree(v);
     const double shared = ring(n);
     mask.push_back({v, 1 - shared});
-    for (const HalfEdge h : surface.star(v)) mask.push_back({surface.other_end(h, v), shared / n});
+    for (const Vertex x : surface.adjacent_vertices(v)) mask.push_back({x, shared / n});
   } else if (sharp.curve() && along > 0) {
     mask = {{v, 1 - along}, {sharp.ends[0], along / 2}, {sharp.ends[1], along / 2}};
   } else {

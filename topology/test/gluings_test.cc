@@ -8,32 +8,15 @@
 
 #include "topology/equivalence.h"
 #include "topology/handlebody.h"
+#include "topology/test/matchings.h"
 #include "topology/test/oracle.h"
 #include "topology/validate.h"
 
 namespace clers {
 namespace {
 
+using test::Matching;
 using test::Oracle;
-using Matching = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
-
-/// Calls visit with every set of disjoint pairs of the half-edges from `from` on.
-template <class Visit>
-void all_matchings(std::vector<bool>& used, std::uint32_t from, Matching& pairs, Visit visit) {
-  while (from < used.size() && used[from]) ++from;
-  if (from == used.size()) return visit(pairs);
-  used[from] = true;
-  all_matchings(used, from + 1, pairs, visit);
-  for (std::uint32_t other = from + 1; other < used.size(); ++other) {
-    if (used[other]) continue;
-    used[other] = true;
-    pairs.emplace_back(from, other);
-    all_matchings(used, from + 1, pairs, visit);
-    pairs.pop_back();
-    used[other] = false;
-  }
-  used[from] = false;
-}
 
 struct Built {
   Surface surface;
@@ -83,9 +66,7 @@ Surface from_oracle(const Oracle& oracle, const Matching& pairs) {
 std::size_t check_matchings(std::uint32_t faces, int orders, bool each, std::size_t stride) {
   std::mt19937 random(7);
   std::size_t count = 0;
-  std::vector<bool> used(3 * std::size_t{faces});
-  Matching pairs;
-  all_matchings(used, 0, pairs, [&](const Matching& matching) {
+  test::for_each_matching(faces, [&](const Matching& matching) {
     if (count++ % stride != 0 || testing::Test::HasFailure()) return;
     Built first = glue_all(faces, matching, each);
     Matching shuffled = matching;

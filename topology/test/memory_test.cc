@@ -6,6 +6,7 @@
 
 #include "topology/derived.h"
 #include "topology/dump.h"
+#include "topology/element_data.h"
 #include "topology/stellar.h"
 #include "topology/test/meshes.h"
 #include "topology/validate.h"
@@ -104,8 +105,63 @@ TEST(Memory, StellarOperatorsFailWithoutAChange) {
   EXPECT_GT(starve(s, [&](Surface& x) { EXPECT_TRUE(split_vertex(x, from, to, Point(1))); }), 5);
 }
 
+TEST(Memory, OperatorsFailWithoutAChangeWhereContainersFollow) {
+  Surface s = test::grid(4, 4);
+  const HalfEdge inside = half_edge(Face(9), 1);
+  const auto with_data = [&](auto edit) {
+    return starve(s, [&](Surface& x) {
+      VertexData<int> on_vertices(x, 1);
+      FaceData<double> on_faces(x, 2);
+      HalfEdgeData<bool> on_sides(x, true);
+      edit(x);
+      EXPECT_EQ(on_vertices.values().size(), x.vertex_limit());
+      EXPECT_EQ(on_faces.values().size(), x.face_limit());
+      EXPECT_EQ(on_sides.values().size(), x.half_edge_limit());
+    });
+  };
+  const int attach_only = with_data([](Surface&) {});
+  EXPECT_GT(attach_only, 5);
+  EXPECT_GT(with_data([](Surface& x) { (void)x.create(Point(0), Point(1), Point(2)); }),
+            attach_only + 8);
+  EXPECT_GT(with_data([&](Surface& x) { (void)x.unglue(inside); }), attach_only + 1);
+  EXPECT_GT(with_data([&](Surface& x) { EXPECT_TRUE(x.split(inside, Point(7))); }),
+            attach_only + 8);
+  EXPECT_EQ(with_data([&](Surface& x) { EXPECT_TRUE(x.flip(inside)); }), attach_only);
+  // One container that exists before, and whose growth fails: its values stay, too.
+  for (int allocations = 0; allocations < 40; ++allocations) {
+    Surface x = s;
+    VertexData<int> data(x, 1);
+    data[Vertex(3)] = 4;
+    remaining = allocations;
+    bool failed = false;
+    try {
+      (void)x.split(inside, Point(7));
+    } catch (const std::bad_alloc&) {
+      failed = true;
+    }
+    remaining = -1;
+    EXPECT_EQ(data[Vertex(3)], 4);
+    EXPECT_EQ(data.values().size(), failed ? s.vertex_limit() : s.vertex_limit() + 1);
+    EXPECT_EQ(data.values().size(), x.vertex_limit());
+  }
+}
+
+TEST(Memory, CompressFailsWithoutAChange) {
+  Surface s = test::torus(5, 4);
+  for (std::uint32_t f = 0; f < 20; f += 2) ASSERT_TRUE(detach(s, Face(f)));
+  EXPECT_GT(starve(s,
+                   [](Surface& x) {
+                     VertexData<int> on_vertices(x, 1);
+                     HalfEdgeData<int> on_sides(x, 1);
+                     x.compress();
+                   }),
+            15);
+}
+
 TEST(Memory, QueriesAndRepeatedOperatorsAllocateNothing) {
   Surface s = test::torus(6, 6);
+  const VertexData<int> on_vertices(s, 0);
+  const HalfEdgeData<int> on_sides(s, 0);
   // Half-edge 1 of both its faces, so that split and weld bring it back.
   const HalfEdge h = s.weld(*s.split(half_edge(Face(20), 0), Point(3)))->at;
   const Vertex far = s.org(half_edge(Face(60), 1));
@@ -126,6 +182,9 @@ TEST(Memory, QueriesAndRepeatedOperatorsAllocateNothing) {
     std::uint32_t sum = 0;
     for (const Vertex v : s.vertices())
       for (const HalfEdge x : s.star(v)) sum += s.dest(x).index();
+    for (const Vertex v : s.vertices())
+      for (const Vertex x : s.adjacent_vertices(v)) sum += x.index();
+    for (const HalfEdge x : s.edges()) sum += x.index();
     return sum;
   };
   for (int i = 0; i < 4; ++i) round();  // a collapse may give back another vertex than was split

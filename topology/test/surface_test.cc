@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "topology/derived.h"
 #include "topology/dump.h"
 #include "topology/equivalence.h"
@@ -239,6 +241,48 @@ TEST(Surface, CirculatorsOnAGrid) {
     last = h;
   }
   EXPECT_EQ(s.boundary_next(last), s.on_curve(rim));
+}
+
+TEST(Surface, AdjacentVerticesAndEdges) {
+  const auto adjacent = [](const Surface& s, Vertex v) {
+    std::vector<std::uint32_t> out;
+    for (const Vertex x : s.adjacent_vertices(v)) out.push_back(x.index());
+    EXPECT_EQ(out.size(), s.degree(v));
+    return out;
+  };
+  using Ids = std::vector<std::uint32_t>;
+  const Surface s = grid(2, 2);  // vertices 0 1 2, 3 4 5, 6 7 8; diagonals to the upper right
+  EXPECT_EQ(adjacent(s, Vertex(4)).size(), 6u);
+  EXPECT_EQ(adjacent(s, Vertex(0)), (Ids{1, 4, 3}));  // from the boundary to the boundary
+  EXPECT_EQ(adjacent(s, Vertex(1)), (Ids{2, 5, 4, 0}));
+  EXPECT_EQ(adjacent(s, Vertex(8)), (Ids{7, 4, 5}));
+  std::size_t edges = 0;
+  std::vector<bool> met(s.half_edge_limit());
+  for (const HalfEdge h : s.edges()) {
+    EXPECT_EQ(s.edge(h), h);
+    for (const HalfEdge side : s.star(h)) {
+      EXPECT_TRUE(s.same_edge(side, h));
+      EXPECT_EQ(s.edge(side), h);
+      EXPECT_FALSE(met[side.index()]);
+      met[side.index()] = true;
+    }
+    EXPECT_FALSE(s.same_edge(h, lnext(h)));
+    ++edges;
+  }
+  EXPECT_EQ(edges, 16u);
+  EXPECT_EQ(std::count(met.begin(), met.end(), true), 24);
+
+  // No simplicial complex: two triangles on all three edges, and a cone, whose rim is a loop.
+  Surface pillow = test::from_triangles({{0, 1, 2}, {1, 0, 2}});
+  EXPECT_EQ(adjacent(pillow, Vertex(0)), (Ids{1, 2}));
+  ASSERT_TRUE(pillow.unglue(he(0)));
+  EXPECT_EQ(adjacent(pillow, pillow.org(he(0))).size(), 3u);  // the other end twice
+  Surface cone;
+  ASSERT_TRUE(cone.create(Point(0), Point(1), Point(2)));
+  ASSERT_TRUE(cone.glue(he(0), he(1)));
+  const Vertex base = cone.org(he(2)), tip = cone.org(he(1));
+  EXPECT_EQ(adjacent(cone, base), (Ids{base.index(), tip.index(), base.index()}));
+  EXPECT_EQ(adjacent(cone, tip), (Ids{base.index()}));
 }
 
 TEST(Surface, SameBoundaryOnAnAnnulus) {

@@ -145,7 +145,7 @@ TEST(Validate, RingThatRunsTheWrongWay) {
   // The tree of a curve mirrored: links, sizes and priorities stay right, the order does not.
   Surface s = test::grid(3, 3);
   SurfacePeer p{s};
-  for (Rings::Node& n : p.nodes()) std::swap(n.lower, n.upper);
+  for (internal::Rings::Node& n : p.nodes()) std::swap(n.lower, n.upper);
   const auto faults = validate(s);
   ASSERT_FALSE(faults.empty());
   EXPECT_EQ(faults[0].invariant, Invariant::ring_order);
@@ -190,7 +190,7 @@ TEST(Validate, AnythingAnywhere) {
       const auto array = random() % 9;
       bool one = false;
       auto& node = p.nodes()[random() % n];
-      const Rings::Node old = node;
+      const internal::Rings::Node old = node;
       switch (array) {
         case 0: one = put(p.org(), s.vertex_limit()); break;
         case 1: one = put(p.twin(), n); break;

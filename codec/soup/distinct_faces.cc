@@ -1,7 +1,9 @@
-#include "codec/soup/repeated_faces.h"
+#include "codec/soup/distinct_faces.h"
 
 #include <algorithm>
 #include <span>
+
+#include "codec/base/no_index.h"
 
 namespace clers::internal {
 namespace {
@@ -50,8 +52,8 @@ void keep_doubled(const Faces& faces, const Adjacency& adjacency, std::vector<Re
   std::vector<std::uint32_t> good_sides(faces.count());
   std::vector<bool> repeated(faces.count());
   for (const Repeat& r : repeats) repeated[r.face] = true;
-  for (std::uint32_t e = 0, begin = 0; e < adjacency.ends.size(); begin = adjacency.ends[e++]) {
-    const auto sides = std::span(adjacency.sides).subspan(begin, adjacency.ends[e] - begin);
+  for (std::uint32_t e = 0; e < adjacency.edges(); ++e) {
+    const auto sides = adjacency.edge(e);
     const auto is_repeated = [&](std::uint32_t h) { return repeated[faces.face(h)]; };
     if (std::count_if(sides.begin(), sides.end(), is_repeated) + 2 <
         static_cast<std::ptrdiff_t>(sides.size()))
@@ -71,7 +73,7 @@ std::vector<Repeat> find_repeats(const Faces& faces, const Adjacency& adjacency)
   };
   std::vector<Key> keys;
   std::vector<std::uint32_t> key_sides;  // of polygons, as far as they were asked for
-  if (!faces.triangles() && !adjacency.ends.empty())
+  if (!faces.triangles() && adjacency.edges() > 0)
     key_sides.assign(faces.count(), HalfEdge::null_index);
   const auto key_of = [&](std::uint32_t f) {
     if (key_sides[f] == HalfEdge::null_index) key_sides[f] = key_side(faces, f);
@@ -81,10 +83,10 @@ std::vector<Repeat> find_repeats(const Faces& faces, const Adjacency& adjacency)
     if (a.beyond != b.beyond) return a.beyond < b.beyond ? -1 : 1;
     return faces.triangles() ? 0 : Cycle(faces, a.side).compare(Cycle(faces, b.side));
   };
-  for (std::uint32_t e = 0, begin = 0; e < adjacency.ends.size(); begin = adjacency.ends[e++]) {
+  for (std::uint32_t e = 0; e < adjacency.edges(); ++e) {
     keys.clear();
-    for (std::uint32_t i = begin; i < adjacency.ends[e]; ++i) {
-      const std::uint32_t h = adjacency.sides[i], x = faces.beyond(h);
+    for (const std::uint32_t h : adjacency.edge(e)) {
+      const std::uint32_t x = faces.beyond(h);
       const std::uint32_t a = faces.org[h], b = faces.org[faces.next(h)];
       if (faces.triangles() ? x > a && x > b : key_of(faces.face(h)) == h) keys.push_back({h, x});
     }
@@ -127,18 +129,17 @@ DistinctFaces::DistinctFaces(const Faces& all, std::span<const Repeat> repeats) 
 }
 
 Adjacency DistinctFaces::adjacency(const Faces& all, Adjacency of_all) const {
-  constexpr std::uint32_t none = HalfEdge::null_index;
-  std::vector<std::uint32_t> now(all.org.size(), none);  // of each half-edge that stays
+  std::vector<std::uint32_t> now(all.org.size(), no_index);  // of each half-edge that stays
   std::uint32_t h = 0;
   for (const std::uint32_t f : faces)
     for (std::uint32_t g = all.begin(f); g < all.end(f); ++g) now[g] = h++;
 
   Adjacency result;
   std::vector<HalfEdge>& twins = of_all.twins;
-  for (std::uint32_t e = 0, begin = 0; e < of_all.ends.size(); begin = of_all.ends[e++]) {
+  for (std::uint32_t e = 0; e < of_all.edges(); ++e) {
     const std::size_t first = result.sides.size();
-    for (std::uint32_t i = begin; i < of_all.ends[e]; ++i)
-      if (now[of_all.sides[i]] != none) result.sides.push_back(of_all.sides[i]);
+    for (const std::uint32_t side : of_all.edge(e))
+      if (now[side] != no_index) result.sides.push_back(side);
     const std::size_t left = result.sides.size() - first;
     const bool pair = left == 2 && all.org[result.sides[first]] != all.org[result.sides[first + 1]];
     if (pair) {
@@ -155,7 +156,7 @@ Adjacency DistinctFaces::adjacency(const Faces& all, Adjacency of_all) const {
   result.twins.reserve(corners.size());
   for (const std::uint32_t f : faces)
     for (std::uint32_t g = all.begin(f); g < all.end(f); ++g)
-      result.twins.push_back(HalfEdge(twins[g] ? now[twins[g].index()] : none));
+      result.twins.push_back(HalfEdge(twins[g] ? now[twins[g].index()] : no_index));
   return result;
 }
 

@@ -1,12 +1,14 @@
-// A mesh <-> the pieces that it is coded in.
-#ifndef CLERS_CODEC_PIECES_PIECES_H
-#define CLERS_CODEC_PIECES_PIECES_H
+// The pieces of a mesh, each as a mesh that can be coded alone. Knows how faces were parted, and
+// nothing of how they are coded.
+#ifndef CLERS_CODEC_PIECES_PIECE_CUTTER_H
+#define CLERS_CODEC_PIECES_PIECE_CUTTER_H
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "codec/file/mesh_encoder.h"
+#include "codec/base/faces.h"
+#include "codec/mesh.h"
 #include "codec/pieces/partition.h"
 
 namespace clers::internal {
@@ -31,17 +33,9 @@ class PieceCutter {
  private:
   const Mesh& mesh_;
   Partition parts_;
-  std::vector<std::uint32_t> begins_;    ///< first corner of each face; empty: triangles
+  Cycles all_;
   std::vector<std::uint32_t> isolated_;  ///< vertices that no face uses
 };
-
-/// Encodes a piece. The order that comes with it is that of the whole mesh.
-Expected<EncodedMesh> encode_piece(PieceCutter::Piece piece, std::span<const std::uint32_t> faces,
-                                   const EncodeOptions& options, const Progress& progress);
-
-/// Makes one mesh of coded pieces: adds up what was found in them, and inserts the seams. The
-/// sections begin with the number of pieces; name and order are still missing.
-EncodedMesh join(std::vector<EncodedMesh> pieces, const Mesh& mesh);
 
 }  // namespace clers::internal
 

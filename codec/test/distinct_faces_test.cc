@@ -1,6 +1,6 @@
 // Faces that repeat others: found as by comparing all cycles, and left away as if they had never
 // been.
-#include "codec/soup/repeated_faces.h"
+#include "codec/soup/distinct_faces.h"
 
 #include <gtest/gtest.h>
 

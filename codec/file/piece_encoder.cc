@@ -1,18 +1,17 @@
-#include "codec/pieces/pieces.h"
+#include "codec/file/piece_encoder.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
-#include "codec/file/mesh_features.h"
+#include "codec/base/faces.h"
+#include "codec/base/no_index.h"
+#include "codec/file/file_order.h"
 #include "codec/pieces/seams.h"
 
 namespace clers::internal {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffffu;
-
-/// Adds what is told of a piece that shares vertices with those before.
+/// Adds what is said of a piece that shares vertices with those before.
 void add(const MeshInfo& piece, std::uint64_t shared, MeshInfo& whole) {
   whole.shape.vertices += piece.shape.vertices - shared;
   whole.shape.faces += piece.shape.faces;
@@ -38,73 +37,6 @@ void add(const MeshInfo& piece, std::uint64_t shared, MeshInfo& whole) {
 
 }  // namespace
 
-PieceCutter::PieceCutter(const Mesh& mesh, Partition parts)
-    : mesh_(mesh), parts_(std::move(parts)) {
-  begins_.reserve(mesh.face_sizes.size());
-  std::uint32_t begin = 0;
-  for (const std::uint32_t size : mesh.face_sizes) {
-    begins_.push_back(begin);
-    begin += size;
-  }
-  std::vector<bool> used(mesh.vertex_count);
-  for (const std::uint32_t v : mesh.corners) used[v] = true;
-  for (std::uint32_t v = 0; v < mesh.vertex_count; ++v)
-    if (!used[v]) isolated_.push_back(v);
-}
-
-PieceCutter::Piece PieceCutter::cut(std::size_t piece, std::vector<std::uint32_t>& number) const {
-  Piece result;
-  Mesh& mesh = result.mesh;
-  number.resize(std::max<std::size_t>(number.size(), mesh_.vertex_count), none);
-  const auto faces = parts_.piece(piece);
-  mesh.corners.reserve(3 * faces.size());
-  const auto size = [&](std::uint32_t f) { return begins_.empty() ? 3 : mesh_.face_sizes[f]; };
-  const auto begin = [&](std::uint32_t f) {
-    return begins_.empty() ? 3 * std::size_t(f) : begins_[f];
-  };
-  for (const std::uint32_t f : faces) {
-    const std::uint32_t* corner = mesh_.corners.data() + begin(f);
-    for (std::uint32_t j = 0; j < size(f); ++j) {
-      std::uint32_t& v = number[corner[j]];
-      if (v == none) {
-        v = static_cast<std::uint32_t>(result.vertices.size());
-        result.vertices.push_back(corner[j]);
-      }
-      mesh.corners.push_back(v);
-    }
-    if (!begins_.empty()) mesh.face_sizes.push_back(size(f));
-  }
-  for (const std::uint32_t v : result.vertices) number[v] = none;
-  if (piece + 1 == parts_.count())
-    result.vertices.insert(result.vertices.end(), isolated_.begin(), isolated_.end());
-  mesh.vertex_count = static_cast<std::uint32_t>(result.vertices.size());
-
-  for (const Attribute& a : mesh_.attributes) {
-    Attribute part{a.name, a.domain, a.scalar, a.components, {}};
-    const auto copy = [&](std::size_t first, std::size_t values) {
-      const auto from = a.data.begin() + static_cast<std::ptrdiff_t>(first * a.stride());
-      part.data.insert(part.data.end(), from,
-                       from + static_cast<std::ptrdiff_t>(values * a.stride()));
-    };
-    switch (a.domain) {
-      case Domain::vertex:
-        part.data.reserve(result.vertices.size() * a.stride());
-        for (const std::uint32_t v : result.vertices) copy(v, 1);
-        break;
-      case Domain::face:
-        part.data.reserve(faces.size() * a.stride());
-        for (const std::uint32_t f : faces) copy(f, 1);
-        break;
-      case Domain::corner:
-        part.data.reserve(mesh.corners.size() * a.stride());
-        for (const std::uint32_t f : faces) copy(begin(f), size(f));
-        break;
-    }
-    mesh.attributes.push_back(std::move(part));
-  }
-  return result;
-}
-
 Expected<EncodedMesh> encode_piece(PieceCutter::Piece piece, std::span<const std::uint32_t> faces,
                                    const EncodeOptions& options, const Progress& progress) {
   auto coded = encode_mesh(piece.mesh, options, 1, progress);
@@ -114,7 +46,7 @@ Expected<EncodedMesh> encode_piece(PieceCutter::Piece piece, std::span<const std
   return coded;
 }
 
-EncodedMesh join(std::vector<EncodedMesh> pieces, const Mesh& mesh) {
+EncodedMesh join_pieces(std::vector<EncodedMesh> pieces, const Mesh& mesh, Order order) {
   EncodedMesh whole;
   Bytes count;
   put_varint(count, pieces.size());
@@ -124,12 +56,12 @@ EncodedMesh join(std::vector<EncodedMesh> pieces, const Mesh& mesh) {
   whole.order.vertices.reserve(mesh.vertex_count);
   whole.order.faces.reserve(mesh.face_count());
   whole.order.first_corners.reserve(mesh.face_count());
-  std::vector<std::uint32_t> number(mesh.vertex_count, none), numbers;
+  std::vector<std::uint32_t> number(mesh.vertex_count, no_index), numbers;
   for (EncodedMesh& piece : pieces) {
     const std::uint32_t first_own = static_cast<std::uint32_t>(whole.order.vertices.size());
     numbers.clear();
     for (const std::uint32_t v : piece.order.vertices) {
-      if (number[v] == none) {
+      if (number[v] == no_index) {
         number[v] = static_cast<std::uint32_t>(whole.order.vertices.size());
         whole.order.vertices.push_back(v);
       }
@@ -146,13 +78,7 @@ EncodedMesh join(std::vector<EncodedMesh> pieces, const Mesh& mesh) {
       const bool is_mesh = section.kind == SectionKind::mesh;
       whole.sections.push_back(std::move(section));
       if (!is_mesh || shared == 0) continue;
-      Bytes seam;
-      put_varint(seam, shared);
-      rans::Encoder stream;
-      EncodeTo coder(stream);
-      SeamModel model;
-      for (const SeamRun& run : seam_runs(numbers, first_own)) model.code(coder, run);
-      stream.finish(seam);
+      Bytes seam = encode_seam(shared, numbers, first_own);
       whole.info.connectivity_bytes += seam.size();
       whole.info.stitching_bytes += seam.size();
       whole.sections.push_back({SectionKind::seam, std::move(seam)});
@@ -164,6 +90,17 @@ EncodedMesh join(std::vector<EncodedMesh> pieces, const Mesh& mesh) {
   for (const std::uint32_t v : mesh.corners) used[v] = true;
   whole.info.shape.isolated_vertices =
       static_cast<std::uint64_t>(std::count(used.begin(), used.end(), false));
+  if (!mesh.name.empty()) {
+    const auto name = std::as_bytes(std::span(mesh.name));
+    whole.sections.push_back({SectionKind::name, Bytes(name.begin(), name.end())});
+  }
+  if (order == Order::keep) {
+    Bytes kept = encode_order(Cycles(mesh.corners, mesh.face_sizes), whole.order);
+    whole.info.order_bytes = kept.size();
+    whole.info.connectivity_bytes += kept.size();
+    whole.sections.push_back({SectionKind::order, std::move(kept)});
+    whole.order = identity(mesh);
+  }
   return whole;
 }
 

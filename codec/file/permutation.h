@@ -1,0 +1,86 @@
+// A permutation of a mesh, applied: faces, corners and values in another order. Encoding brings
+// them into the order in which they are coded; decoding, where the order of the file was kept,
+// back.
+#ifndef CLERS_CODEC_FILE_PERMUTATION_H
+#define CLERS_CODEC_FILE_PERMUTATION_H
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <numeric>
+#include <vector>
+
+#include "codec/base/faces.h"
+#include "codec/mesh.h"
+#include "codec/order.h"
+
+namespace clers::internal {
+
+inline Permutation identity(const Mesh& mesh) {
+  Permutation order;
+  order.vertices.resize(mesh.vertex_count);
+  order.faces.resize(mesh.face_count());
+  std::iota(order.vertices.begin(), order.vertices.end(), 0u);
+  std::iota(order.faces.begin(), order.faces.end(), 0u);
+  order.first_corners.assign(mesh.face_count(), 0);
+  return order;
+}
+
+/// Where everything went that inverse[i] says to be at i now.
+inline std::vector<std::uint32_t> inverse(const std::vector<std::uint32_t>& numbers) {
+  std::vector<std::uint32_t> result(numbers.size());
+  for (std::uint32_t i = 0; i < numbers.size(); ++i) result[numbers[i]] = i;
+  return result;
+}
+
+/// Calls visit(corner) for the corners of `faces` in the new order.
+template <class Visit>
+void for_each_corner(const Cycles& faces, const Permutation& order, Visit visit) {
+  for (std::size_t i = 0; i < order.faces.size(); ++i) {
+    const std::uint32_t f = order.faces[i], begin = faces.begin(f), size = faces.size(f);
+    std::uint32_t j = order.first_corners[i];
+    for (std::uint32_t k = 0; k < size; ++k, j = j + 1 == size ? 0 : j + 1) visit(begin + j);
+  }
+}
+
+struct PermutedFaces {
+  std::vector<std::uint32_t> corners, sizes;  ///< no sizes: triangles
+};
+/// Faces in the new order, by new vertices. Memory besides the result: 4 bytes a vertex.
+inline PermutedFaces permuted(const Cycles& faces, const Permutation& order) {
+  PermutedFaces result;
+  const std::vector<std::uint32_t> number = inverse(order.vertices);
+  result.corners.reserve(faces.org.size());
+  for_each_corner(faces, order,
+                  [&](std::uint32_t c) { result.corners.push_back(number[faces.org[c]]); });
+  if (faces.triangles()) return result;
+  result.sizes.reserve(faces.count());
+  for (const std::uint32_t f : order.faces) result.sizes.push_back(faces.size(f));
+  return result;
+}
+
+/// The values of an attribute in the new order. `faces` are those that it has values for.
+inline std::vector<std::byte> permuted_values(const Attribute& a, const Cycles& faces,
+                                              const Permutation& order) {
+  const std::size_t stride = a.stride();
+  std::vector<std::byte> result(a.data.size());
+  std::byte* to = result.data();
+  const auto copy = [&](std::size_t from) {
+    std::memcpy(to, a.data.data() + from * stride, stride);
+    to += stride;
+  };
+  switch (a.domain) {
+    case Domain::vertex:
+      for (const std::uint32_t v : order.vertices) copy(v);
+      break;
+    case Domain::face:
+      for (const std::uint32_t f : order.faces) copy(f);
+      break;
+    case Domain::corner: for_each_corner(faces, order, copy); break;
+  }
+  return result;
+}
+
+}  // namespace clers::internal
+
+#endif
