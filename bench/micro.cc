@@ -10,7 +10,8 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "codec/attributes/attribute.h"
+#include "codec/attributes/attribute_decoder.h"
+#include "codec/attributes/attribute_encoder.h"
 #include "codec/attributes/prediction.h"
 #include "codec/connectivity/connectivity.h"
 #include "codec/decode.h"
@@ -163,46 +164,67 @@ void symbol_decode(benchmark::State& state) {
 }
 BENCHMARK(symbol_decode);
 
+/// The mesh of a benchmark as it is decoded, with what attributes are predicted along.
+struct CodedMesh {
+  explicit CodedMesh(const Mesh& input)
+      : mesh(must(decode(must(encode({&input, 1})).bytes)).at(0)),
+        introduced_by(mesh.vertex_count) {
+    find_introducing(mesh.corners, introduced_by);
+  }
+  CodedSurface surface() const { return {mesh.corners, {}, introduced_by}; }
+
+  Mesh mesh;
+  std::vector<std::uint32_t> introduced_by;
+};
+
 // The parallelogram rule alone, on a mesh in the codec's order.
 void prediction(benchmark::State& state) {
-  const Mesh mesh = must(decode(must(encode({&mesh_of(state), 1})).bytes)).at(0);
-  std::vector<std::uint32_t> keys(3 * std::size_t(mesh.vertex_count));
-  std::memcpy(keys.data(), mesh.position()->data.data(), 4 * keys.size());
-  std::transform(keys.begin(), keys.end(), keys.begin(), to_ordered<std::uint32_t>);
-  std::vector<std::uint32_t> residuals(keys.size());
+  const CodedMesh coded(mesh_of(state));
+  Bytes keys = coded.mesh.position()->data, residuals(keys.size());
+  for (std::size_t i = 0; i < keys.size() / 4; ++i)
+    set_word(keys.data(), i, to_ordered(word_at<std::uint32_t>(keys.data(), i)));
   for (auto _ : state) {
-    for_each_vertex(mesh.corners, mesh.vertex_count, [&](std::uint32_t v, const Guess& g) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto of = [&](std::uint32_t u) { return keys[3 * std::size_t(u) + k]; };
-        residuals[3 * std::size_t(v) + k] = zigzag(of(v) - (of(g.a) + of(g.b) - of(g.c)));
-      }
-    });
+    subtract_predictions<std::uint32_t>(Predictor::parallelogram, coded.mesh.vertex_count, 3,
+                                        coded.surface(), keys.data(), residuals.data());
     benchmark::DoNotOptimize(residuals.data());
     benchmark::ClobberMemory();
   }
-  count_items(state, mesh.face_count());
+  count_items(state, coded.mesh.face_count());
 }
 BENCHMARK(prediction)->Apply(shapes);
 
 // Prediction of positions, the split into planes of bytes, and zstd behind them.
 void position_encode(benchmark::State& state) {
-  const Mesh& mesh = mesh_of(state);
+  const CodedMesh coded(mesh_of(state));
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        must(encode_attribute(mesh.attributes[0], mesh.corners, default_level)));
-  count_items(state, mesh.face_count());
+        must(encode_attribute(*coded.mesh.position(), coded.surface(), default_level)));
+  count_items(state, coded.mesh.face_count());
 }
 BENCHMARK(position_encode)->Apply(shapes);
 
-void position_decode(benchmark::State& state) {
-  const Mesh& mesh = mesh_of(state);
-  const auto bytes = must(encode_attribute(mesh.attributes[0], mesh.corners, default_level));
+// The two steps of decoding: zstd and planes of bytes, then predictions.
+void residual_decode(benchmark::State& state) {
+  const CodedMesh coded(mesh_of(state));
+  const Bytes bytes =
+      must(encode_attribute(*coded.mesh.position(), coded.surface(), default_level));
+  const AttributeHeader header = must(read_attribute_header(bytes, 0));
   for (auto _ : state)
-    benchmark::DoNotOptimize(must(decode_attribute(bytes, 0, must(read_attribute_header(bytes, 0)),
-                                                   mesh.vertex_count, mesh.corners)));
-  count_items(state, mesh.face_count());
+    benchmark::DoNotOptimize(must(decode_residuals(bytes, 0, header, coded.mesh.vertex_count)));
+  count_items(state, coded.mesh.face_count());
 }
-BENCHMARK(position_decode)->Apply(shapes);
+BENCHMARK(residual_decode)->Apply(shapes);
+
+void position_reconstruct(benchmark::State& state) {
+  const CodedMesh coded(mesh_of(state));
+  const Bytes bytes =
+      must(encode_attribute(*coded.mesh.position(), coded.surface(), default_level));
+  const AttributeHeader header = must(read_attribute_header(bytes, 0));
+  const Bytes residuals = must(decode_residuals(bytes, 0, header, coded.mesh.vertex_count));
+  for (auto _ : state) benchmark::DoNotOptimize(reconstruct(header, residuals, coded.surface()));
+  count_items(state, coded.mesh.face_count());
+}
+BENCHMARK(position_reconstruct)->Apply(shapes);
 
 void checksum(benchmark::State& state) {
   const std::vector<std::byte> bytes(1 << 20);

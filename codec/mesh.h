@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "codec/scalar.h"
+
 namespace clers {
 
 struct AttributeView;  // codec/mesh_view.h
@@ -16,37 +18,10 @@ struct MeshView;
 enum class Domain : std::uint8_t { vertex = 0, corner = 1, face = 2 };
 inline constexpr unsigned domain_count = 3;
 
-/// As in the enumeration. Precondition, for both: the value is one of it.
+/// As in the enumeration. Precondition: the value is one of it.
 constexpr const char* name(Domain d) {
   constexpr const char* names[domain_count] = {"vertex", "corner", "face"};
   return names[static_cast<unsigned>(d)];
-}
-
-/// How one component of a value is stored. The numbers are the file format's.
-enum class Scalar : std::uint8_t {
-  int8 = 0,
-  uint8 = 1,
-  int16 = 2,
-  uint16 = 3,
-  int32 = 4,
-  uint32 = 5,
-  int64 = 6,
-  uint64 = 7,
-  float32 = 8,
-  float64 = 9,
-};
-inline constexpr unsigned scalar_count = 10;
-
-constexpr const char* name(Scalar s) {
-  constexpr const char* names[scalar_count] = {"int8",   "uint8", "int16",  "uint16",  "int32",
-                                               "uint32", "int64", "uint64", "float32", "float64"};
-  return names[static_cast<unsigned>(s)];
-}
-
-/// Size in bytes of a scalar.
-constexpr std::size_t size_of(Scalar s) {
-  constexpr std::uint8_t bytes[scalar_count] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
-  return bytes[static_cast<unsigned>(s)];
 }
 
 /// Named values, one tuple of `components` scalars for each vertex, corner or face, in their order,

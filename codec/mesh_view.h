@@ -125,19 +125,6 @@ inline Mesh::operator MeshView() const {
   return {vertex_count, corners, {}, face_sizes, attributes, name, metadata};
 }
 
-/// The scalar that a C++ type is.
-template <class T>
-requires std::is_arithmetic_v<T>
-constexpr Scalar scalar_of() {
-  if constexpr (std::is_floating_point_v<T>) {
-    static_assert(sizeof(T) == 4 || sizeof(T) == 8, "float or double");
-    return sizeof(T) == 4 ? Scalar::float32 : Scalar::float64;
-  } else {
-    constexpr unsigned log2 = sizeof(T) == 1 ? 0 : sizeof(T) == 2 ? 1 : sizeof(T) == 4 ? 2 : 3;
-    return static_cast<Scalar>(2 * log2 + std::is_unsigned_v<T>);
-  }
-}
-
 /// What a value of a C++ type is made of: float, float[3] or std::array<float, 3>.
 template <class T>
 struct ValueType {

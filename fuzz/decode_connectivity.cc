@@ -7,6 +7,7 @@
 
 #include "codec/base/budget.h"
 #include "codec/connectivity/connectivity.h"
+#include "codec/test/coded_surface.h"
 
 namespace {
 
@@ -23,11 +24,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::uint64_t corner_count = 3 * std::uint64_t(header->faces);
   const clers::internal::Budget budget({}, size);
   if (!budget.check(corner_count * (2 * sizeof(std::uint32_t) + sizeof(clers::HalfEdge)) +
+                    header->vertices * sizeof(std::uint32_t) +
                     clers::internal::connectivity_memory(*header, true)))
     return 0;
   std::vector<std::uint32_t> corners(3 * std::size_t(header->faces)), again(corners.size());
   std::vector<clers::HalfEdge> twins(corners.size());
-  auto counts = clers::internal::decode_connectivity(bytes, 0, *header, corners, twins);
+  std::vector<std::uint32_t> introduced_by(header->vertices);
+  auto counts =
+      clers::internal::decode_connectivity(bytes, 0, *header, corners, twins, introduced_by);
   auto plain = clers::internal::decode_connectivity(bytes, 0, *header, again);
   require(counts.ok() == plain.ok());
   if (!counts) {
@@ -36,6 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   require(corners == again);
+  require(clers::internal::fault_of({corners, twins, introduced_by}).empty());
   const auto dest = [&](clers::HalfEdge h) { return corners[clers::lnext(h).index()]; };
   for (std::uint32_t i = 0; i < corners.size(); ++i) {
     require(corners[i] < header->vertices);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "codec/connectivity/connectivity.h"
+#include "codec/test/coded_surface.h"
 #include "codec/test/correspondence.h"
 
 namespace {
@@ -34,7 +35,10 @@ Surface decoded(std::span<const std::byte> bytes) {
   s.vertices = header->vertices;
   s.corners.resize(3 * std::size_t(header->faces));
   s.twins.resize(s.corners.size());
-  require(clers::internal::decode_connectivity(bytes, 0, *header, s.corners, s.twins).ok());
+  std::vector<std::uint32_t> introduced_by(s.vertices);
+  require(clers::internal::decode_connectivity(bytes, 0, *header, s.corners, s.twins, introduced_by)
+              .ok());
+  require(clers::internal::fault_of({s.corners, s.twins, introduced_by}).empty());
   return s;
 }
 

@@ -1,6 +1,12 @@
+#include "codec/attributes/attribute_encoder.h"
+
 #include <array>
+#include <cstring>
+#include <utility>
+#include <vector>
 
 #include "codec/attributes/attribute_format.h"
+#include "codec/attributes/residuals.h"
 
 namespace clers::internal {
 namespace {
@@ -10,68 +16,43 @@ int zstd_level(int level) {
   return levels[static_cast<std::size_t>(level - 1)];
 }
 
-/// Differences of all values to their guesses: for every component, all lowest bytes, then all
-/// second ones, and so on.
-template <class U>
-Bytes differences(const Attribute& attribute, Predictor predictor, std::size_t count,
-                  std::span<const std::uint32_t> corners) {
-  const std::size_t components = attribute.components;
-  const bool ordered = is_float(attribute.scalar);
-  Bytes planes(count * components * sizeof(U));
-  std::vector<U> keys(count * components);
-  if (!keys.empty()) std::memcpy(keys.data(), attribute.data.data(), keys.size() * sizeof(U));
-  if (ordered)
-    for (U& k : keys) k = to_ordered(k);
-  std::size_t row = 0;
-  for_each_value(predictor, count, corners, [&](std::size_t v, Guess g) {
-    for (std::size_t c = 0; c < components; ++c) {
-      const U value = keys[v * components + c];
-      U stored = value;
-      if (g.a != v) {
-        const U guess = static_cast<U>(keys[g.a * components + c] + keys[g.b * components + c] -
-                                       keys[g.c * components + c]);
-        stored = zigzag(static_cast<U>(value - guess));
-      }
-      for (std::size_t byte = 0; byte < sizeof(U); ++byte)
-        planes[(c * sizeof(U) + byte) * count + row] =
-            static_cast<std::byte>(stored >> 8 * byte & 0xff);
-    }
-    ++row;
-  });
-  return planes;
-}
-
-Expected<Bytes> compress(std::span<const std::byte> data, int level) {
-  Bytes out(ZSTD_compressBound(data.size()));
-  const std::size_t size =
-      zstd_result(ZSTD_compress(out.data(), out.size(), data.data(), data.size(), level));
-  if (ZSTD_isError(size))
-    return fail(ErrorCode::internal, std::string("zstd failed: ") + ZSTD_getErrorName(size));
-  out.resize(size);
-  return out;
+/// Values as integers that sort like them.
+Bytes keys_of(const Attribute& attribute) {
+  Bytes keys = attribute.data;
+  if (is_float(attribute.scalar))
+    with_word(attribute.scalar, [&](auto word) {
+      using U = decltype(word);
+      for (std::size_t i = 0; i < keys.size() / sizeof(U); ++i)
+        set_word(keys.data(), i, to_ordered(word_at<U>(keys.data(), i)));
+    });
+  return keys;
 }
 
 }  // namespace
 
-Expected<Bytes> encode_attribute(const Attribute& attribute, std::span<const std::uint32_t> corners,
+Expected<Bytes> encode_attribute(const Attribute& attribute, const CodedSurface& surface,
                                  int level) {
-  const std::size_t count = attribute.data.size() / attribute.stride();
+  const std::size_t components = attribute.components,
+                    count = attribute.data.size() / attribute.stride();
   std::vector<Predictor> candidates = {Predictor::none, Predictor::previous};
-  if (attribute.domain == Domain::vertex && !corners.empty()) {
+  if (attribute.domain == Domain::vertex && !surface.corners.empty()) {
     candidates.push_back(Predictor::parallelogram);
     if (attribute.name == position_name) candidates = {Predictor::parallelogram};
   }
+  const Bytes keys = keys_of(attribute);
+  Bytes residuals(keys.size()), best_planes;
   Predictor best = candidates.back();
-  Bytes best_planes;
   std::size_t least = ~std::size_t(0);
   for (const Predictor predictor : candidates) {
-    Bytes planes = with_word(attribute.scalar, [&](auto word) {
-      return differences<decltype(word)>(attribute, predictor, count, corners);
+    with_word(attribute.scalar, [&](auto word) {
+      subtract_predictions<decltype(word)>(predictor, count, components, surface, keys.data(),
+                                           residuals.data());
     });
+    Bytes planes = planes_of(residuals, attribute.scalar, components);
     std::size_t size = 0;
     if (candidates.size() > 1) {
-      auto trial = compress(planes, 1);
-      if (!trial) return Failure{trial.error()};
+      auto trial = pack_frame(planes, 1);
+      if (!trial) return trial;
       size = trial->size();
     }
     if (size < least) {
@@ -80,16 +61,10 @@ Expected<Bytes> encode_attribute(const Attribute& attribute, std::span<const std
       best_planes = std::move(planes);
     }
   }
-  auto packed = compress(best_planes, zstd_level(level));
-  if (!packed) return Failure{packed.error()};
-
+  auto packed = pack_frame(best_planes, zstd_level(level));
+  if (!packed) return packed;
   Bytes out;
-  put_u8(out, static_cast<std::uint32_t>(attribute.name.size()));
-  for (const char c : attribute.name) put_u8(out, static_cast<unsigned char>(c));
-  put_u8(out, static_cast<std::uint32_t>(attribute.domain));
-  put_u8(out, static_cast<std::uint32_t>(attribute.scalar));
-  put_u8(out, attribute.components);
-  put_u8(out, static_cast<std::uint32_t>(best));
+  put_attribute_header(out, attribute, best);
   put_bytes(out, *packed);
   return out;
 }

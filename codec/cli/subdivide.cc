@@ -16,24 +16,6 @@
 namespace clers::cli {
 namespace {
 
-/// Calls visit with a value of the scalar's type.
-template <class Visit>
-auto with_type(Scalar scalar, Visit visit) {
-  switch (scalar) {
-    case Scalar::int8: return visit(std::int8_t{});
-    case Scalar::uint8: return visit(std::uint8_t{});
-    case Scalar::int16: return visit(std::int16_t{});
-    case Scalar::uint16: return visit(std::uint16_t{});
-    case Scalar::int32: return visit(std::int32_t{});
-    case Scalar::uint32: return visit(std::uint32_t{});
-    case Scalar::int64: return visit(std::int64_t{});
-    case Scalar::uint64: return visit(std::uint64_t{});
-    case Scalar::float32: return visit(float{});
-    case Scalar::float64: break;
-  }
-  return visit(double{});
-}
-
 double load(Scalar scalar, const std::byte* at) {
   return with_type(scalar, [&](auto value) {
     std::memcpy(&value, at, sizeof value);

@@ -18,12 +18,8 @@ auto key(const Attribute& a) {
 }
 
 std::string title(const Attribute& a) {
-  static constexpr const char* domains[] = {"vertex", "corner", "face"};
-  static constexpr const char* scalars[scalar_count] = {"int8",    "uint8",  "int16", "uint16",
-                                                        "int32",   "uint32", "int64", "uint64",
-                                                        "float32", "float64"};
-  return std::string(domains[static_cast<unsigned>(a.domain)]) + " attribute '" + a.name + "' (" +
-         std::to_string(a.components) + " " + scalars[static_cast<unsigned>(a.scalar)] + ")";
+  return std::string(name(a.domain)) + " attribute '" + a.name + "' (" +
+         std::to_string(a.components) + " " + name(a.scalar) + ")";
 }
 
 }  // namespace

@@ -86,12 +86,15 @@ Expected<ConnectivityHeader> read_connectivity_header(std::span<const std::byte>
 std::uint64_t connectivity_memory(const ConnectivityHeader& header, bool twins);
 
 /// Decodes into memory of the caller: `corners` takes 3 indices a face, each below header.vertices.
-/// `twins`, when not empty, takes the opposite half-edge of each, null on a boundary.
+/// `twins`, when not empty, takes the opposite half-edge of each, null on a boundary;
+/// `introduced_by`, when not empty, header.vertices faces: those that introduce them. All three are
+/// what CodedSurface says of a surface without copies. Unspecified after an error.
 /// Errors: invalid, truncated, limit. Throws std::bad_alloc only.
 Expected<ConnectivityCounts> decode_connectivity(std::span<const std::byte> bytes, std::uint64_t at,
                                                  const ConnectivityHeader& header,
                                                  std::span<std::uint32_t> corners,
-                                                 std::span<HalfEdge> twins = {});
+                                                 std::span<HalfEdge> twins = {},
+                                                 std::span<std::uint32_t> introduced_by = {});
 
 }  // namespace clers::internal
 

@@ -59,7 +59,8 @@ void reverse_faces(std::span<HalfEdge> twins) {
 template <class Source>
 Expected<ConnectivityCounts> decode(Source& source, std::uint64_t end,
                                     const ConnectivityHeader& header,
-                                    std::span<std::uint32_t> corners, std::span<HalfEdge> twins) {
+                                    std::span<std::uint32_t> corners, std::span<HalfEdge> twins,
+                                    std::span<std::uint32_t> introduced_by) {
   if (!source.ok()) throw std::bad_alloc();
   const std::size_t ids = std::size_t(header.vertices) + header.merges;
   const std::unique_ptr<FrontLink[]> links(new FrontLink[ids]);
@@ -93,7 +94,7 @@ Expected<ConnectivityCounts> decode(Source& source, std::uint64_t end,
     return broken_stream({StreamFault::vertex_count, header.faces});
   if (!source.finished())
     return fail(ErrorCode::invalid, Place::byte, end, "the symbols do not end where the data end");
-  number_vertices(building);
+  number_vertices(building, introduced_by);
 #ifdef CLERS_BOOKKEEPING
   if (mirror && !mirror->same_vertices(corners))
     return fail(ErrorCode::internal, "the vertices are not those of the full surface");
@@ -168,7 +169,8 @@ std::uint64_t connectivity_memory(const ConnectivityHeader& header, bool twins) 
 Expected<ConnectivityCounts> decode_connectivity(std::span<const std::byte> bytes, std::uint64_t at,
                                                  const ConnectivityHeader& header,
                                                  std::span<std::uint32_t> corners,
-                                                 std::span<HalfEdge> twins) {
+                                                 std::span<HalfEdge> twins,
+                                                 std::span<std::uint32_t> introduced_by) {
   if (header.faces == 0) {
     if (bytes.size() != header.bytes)
       return fail(ErrorCode::invalid, Place::byte, at + header.bytes,
@@ -176,7 +178,7 @@ Expected<ConnectivityCounts> decode_connectivity(std::span<const std::byte> byte
     return ConnectivityCounts{};
   }
   return with_stream_source(header, bytes, [&](auto& source) {
-    return decode(source, at + bytes.size(), header, corners, twins);
+    return decode(source, at + bytes.size(), header, corners, twins, introduced_by);
   });
 }
 

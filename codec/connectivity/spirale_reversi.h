@@ -292,12 +292,22 @@ inline void resolve_merges(Building& b) {
 }
 
 /// Turns the ids of the construction into vertex numbers, 0 .. finished-1: latest finished first,
-/// so that numbers grow along the faces. Cost: one look-up a corner.
-inline void number_vertices(Building& b) {
+/// so that numbers grow along the faces. `introduced_by`, when not empty, takes the face that
+/// introduces each (coded_surface.h): it is written last to first, so the first stays. Cost: one
+/// look-up a corner, and one store for who wants those.
+inline void number_vertices(Building& b, std::span<std::uint32_t> introduced_by = {}) {
   resolve_merges(b);
   const FrontLink* const links = b.links.data();
   const std::uint32_t last = b.finished - 1;
-  for (std::uint32_t& corner : b.corners) corner = last - links[corner].prev;
+  if (introduced_by.empty()) {
+    for (std::uint32_t& corner : b.corners) corner = last - links[corner].prev;
+    return;
+  }
+  for (std::size_t h = b.corners.size(); h > 0; h -= 3)
+    for (std::uint32_t& corner : b.corners.subspan(h - 3, 3)) {
+      corner = last - links[corner].prev;
+      introduced_by[corner] = static_cast<std::uint32_t>(h / 3 - 1);
+    }
 }
 
 }  // namespace clers::internal

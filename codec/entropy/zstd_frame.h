@@ -1,5 +1,4 @@
-// What a payload that zstd packed must be: checked before anything is unpacked. Knows not what is
-// in it.
+// Bytes <-> one zstd frame, and what a payload must be to be one.
 #ifndef CLERS_CODEC_ENTROPY_ZSTD_FRAME_H
 #define CLERS_CODEC_ENTROPY_ZSTD_FRAME_H
 
@@ -12,6 +11,7 @@
 #include <span>
 #include <string>
 
+#include "codec/entropy/bytes.h"
 #include "codec/error.h"
 
 namespace clers::internal {
@@ -24,7 +24,33 @@ inline std::size_t zstd_result(std::size_t result) {
   return result;
 }
 
-/// Whether bytes are one zstd frame that can hold `size` bytes, as far as it can be seen without
+/// Errors: internal.
+inline Expected<Bytes> pack_frame(std::span<const std::byte> data, int zstd_level) {
+  Bytes out(ZSTD_compressBound(data.size()));
+  const std::size_t size =
+      zstd_result(ZSTD_compress(out.data(), out.size(), data.data(), data.size(), zstd_level));
+  if (ZSTD_isError(size))
+    return fail(ErrorCode::internal, std::string("zstd failed: ") + ZSTD_getErrorName(size));
+  out.resize(size);
+  return out;
+}
+
+/// What a frame holds, if that is `size` bytes. Precondition: check_frame. Errors: invalid.
+inline Expected<Bytes> unpack_frame(std::span<const std::byte> packed, std::uint64_t at,
+                                    std::uint64_t size, const std::string& what) {
+  Bytes out(static_cast<std::size_t>(size));
+  const std::size_t got =
+      zstd_result(ZSTD_decompress(out.data(), out.size(), packed.data(), packed.size()));
+  if (ZSTD_isError(got))
+    return fail(ErrorCode::invalid, Place::byte, at,
+                std::string("zstd: ") + ZSTD_getErrorName(got));
+  if (got != size)
+    return fail(ErrorCode::invalid, Place::byte, at,
+                what + " take " + std::to_string(got) + " bytes, expected " + std::to_string(size));
+  return out;
+}
+
+/// Whether bytes are one zstd frame that can hold `size` bytes, as far as it can be told without
 /// unpacking it. `at` is their offset in the file, `what` names them for errors: invalid.
 inline Expected<Done> check_frame(std::span<const std::byte> packed, std::uint64_t at,
                                   std::uint64_t size, const std::string& what) {

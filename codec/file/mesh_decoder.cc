@@ -3,6 +3,8 @@
 #include "codec/file/mesh_decoder.h"
 
 #include <algorithm>
+#include <atomic>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -20,16 +22,19 @@ void drop_sizes_of_triangles(Mesh& mesh) {
     mesh.face_sizes = {};
 }
 
-/// A piece without attributes, and the triangles that those are predicted along.
+/// A piece without attributes, and the surface that those are predicted along.
 struct DecodedFaces {
   Mesh mesh;
-  std::size_t surface_corners = 0;       ///< so many of mesh.corners are those triangles
-  std::vector<std::uint32_t> triangles;  ///< or, with polygons, these are
+  std::size_t surface_corners = 0;           ///< so many of mesh.corners are its triangles
+  std::vector<std::uint32_t> triangles;      ///< or, with polygons, these are
+  std::vector<std::uint32_t> introduced_by;  ///< where it is wanted
   std::vector<ReversedRun> reversed;
   ConnectivityCounts counts;
 
-  std::span<const std::uint32_t> predicted_along() const {
-    return triangles.empty() ? std::span(mesh.corners).first(surface_corners) : triangles;
+  CodedSurface surface() const {
+    return {triangles.empty() ? std::span(mesh.corners).first(surface_corners) : triangles,
+            {},
+            introduced_by};
   }
 };
 
@@ -39,13 +44,15 @@ struct DecodedSurface {
   ConnectivityCounts counts;
   std::vector<ReversedRun> reversed;
   std::vector<std::uint32_t> sizes;  ///< of polygons, where there are any
+  std::vector<std::uint32_t> introduced_by;
 };
 Expected<DecodedSurface> decode_surface(const PieceSections& sections,
                                         std::span<std::uint32_t> triangles,
-                                        std::span<HalfEdge> twins = {}) {
+                                        std::span<HalfEdge> twins, bool with_introduced) {
   DecodedSurface result;
+  if (with_introduced) result.introduced_by.resize(sections.connectivity.vertices);
   auto counts = decode_connectivity(sections.connectivity_bytes, sections.connectivity_at,
-                                    sections.connectivity, triangles, twins);
+                                    sections.connectivity, triangles, twins, result.introduced_by);
   if (!counts) return Failure{counts.error()};
   result.counts = *counts;
   if (sections.features & feature::reversed) {
@@ -59,12 +66,21 @@ Expected<DecodedSurface> decode_surface(const PieceSections& sections,
     result.sizes = std::move(*sizes);
   }
   if (sections.features & feature::copies)
-    if (auto ok = decode_copies(sections.copies, sections.connectivity.vertices, triangles); !ok)
+    if (auto ok = decode_copies(sections.copies, sections.connectivity.vertices, triangles,
+                                result.introduced_by);
+        !ok)
       return Failure{ok.error()};
   return result;
 }
 
-Expected<DecodedFaces> decode_faces(const PieceSections& sections) {
+/// Whether some values are predicted along the surface.
+bool predicts_along_surface(const PieceSections& sections, Values values) {
+  return values == Values::decode &&
+         std::any_of(sections.attributes.begin(), sections.attributes.end(),
+                     [](const auto& a) { return a.header.predictor == Predictor::parallelogram; });
+}
+
+Expected<DecodedFaces> decode_faces(const PieceSections& sections, bool with_introduced) {
   DecodedFaces result;
   Mesh& mesh = result.mesh;
   mesh.vertex_count = static_cast<std::uint32_t>(sections.vertices);
@@ -74,6 +90,12 @@ Expected<DecodedFaces> decode_faces(const PieceSections& sections) {
     drop_sizes_of_triangles(mesh);
     result.surface_corners = mesh.corners.size();
     if (!mesh.triangles_only()) result.triangles = fan_triangles(mesh.corners, mesh.face_sizes);
+    if (with_introduced) {
+      const auto along = result.surface().corners;
+      const auto last = std::max_element(along.begin(), along.end());
+      result.introduced_by.resize(last == along.end() ? 0 : *last + std::size_t(1));
+      find_introducing(along, result.introduced_by);
+    }
     return result;
   }
   const bool polygons = sections.features & feature::polygons;
@@ -82,10 +104,11 @@ Expected<DecodedFaces> decode_faces(const PieceSections& sections) {
   // What is appended to triangles finds room behind them.
   triangles.reserve(polygons ? surface_corners : static_cast<std::size_t>(sections.corners));
   triangles.resize(surface_corners);
-  auto surface = decode_surface(sections, triangles);
+  auto surface = decode_surface(sections, triangles, {}, with_introduced);
   if (!surface) return Failure{surface.error()};
   result.counts = surface->counts;
   result.reversed = std::move(surface->reversed);
+  result.introduced_by = std::move(surface->introduced_by);
   std::span<const std::uint32_t> along = triangles;
   if (sections.may_have_sizes()) mesh.face_sizes.reserve(static_cast<std::size_t>(sections.faces));
   if (polygons) {
@@ -115,6 +138,9 @@ Expected<DecodedFaces> decode_faces(const PieceSections& sections) {
 }
 
 constexpr std::uint64_t each = sizeof(std::uint32_t);
+
+/// Pieces of fewer corners are decoded before another thread has begun.
+constexpr std::uint64_t worth_threads = 1 << 15;
 
 /// What vertices of no surface count, though no array has them before a user makes one.
 std::uint64_t isolated_memory(const PieceSections& s) {
@@ -159,11 +185,18 @@ PieceMemory memory_of(const PieceSections& s, Values values) {
   }
   memory.values = memory.result + runs + (raw || polygons ? triangles : 0);
   if (values == Values::decode) {
+    const std::uint64_t held =
+        sizeof(Expected<Bytes>) * s.attributes.size() +
+        (predicts_along_surface(s, values)
+             ? each * (raw ? s.corners > 0 ? s.vertices : 0 : s.connectivity.vertices)
+             : 0);
+    memory.faces += held;
+    memory.values += held;
     std::uint64_t most = 0;
     for (const PieceSections::AttributeSection& a : s.attributes) {
       const std::uint64_t size = attribute_memory(a.header.attribute, a.count);
       memory.result += size;
-      memory.values += size + sizeof(Expected<Attribute>) + sizeof(std::uint64_t);
+      memory.values += size + sizeof(std::uint64_t);
       most = std::max(most, decoding_memory(a.header, a.count));
     }
     memory.values += most;
@@ -173,34 +206,68 @@ PieceMemory memory_of(const PieceSections& s, Values values) {
   return memory;
 }
 
+namespace {
+
+/// How many threads may decode a piece while `left` bytes are left: at least 1. More than one need
+/// room for residuals while faces are decoded, and for what several attributes take at a time.
+unsigned workers_of(const PieceSections& sections, const PieceMemory& memory, unsigned threads,
+                    std::uint64_t left) {
+  const std::size_t attributes = sections.attributes.size();
+  if (sections.corners < worth_threads) threads = 1;
+  std::vector<std::uint64_t> steps;
+  steps.reserve(attributes);
+  std::uint64_t residuals = 0;
+  for (const PieceSections::AttributeSection& a : sections.attributes) {
+    steps.push_back(decoding_memory(a.header, a.count));
+    residuals += attribute_memory(a.header.attribute, a.count);
+  }
+  std::sort(steps.begin(), steps.end(), std::greater<>());
+  const std::uint64_t held = memory.values - steps[0];
+  const unsigned most = worker_count(threads, attributes + 1);
+  std::uint64_t others = 0;  // steps beside the faces
+  unsigned fit = 1;
+  for (; fit < most; ++fit) {
+    others += steps[fit - 1];
+    const std::uint64_t after = others + (fit < attributes ? steps[fit] : 0);
+    if (std::max(memory.faces + residuals + others, held + after) > left) break;
+  }
+  return fit;
+}
+
+}  // namespace
+
 Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values, unsigned threads,
                                     std::uint64_t left) {
-  auto decoded = decode_faces(sections);
-  if (!decoded) return Failure{decoded.error()};
-  const std::span<const std::uint32_t> along = decoded->predicted_along();  // survives the move
-  DecodedPiece result{std::move(decoded->mesh), decoded->counts, 0};
-  if (values == Values::decode) {
-    std::vector<Expected<Attribute>> attributes(
-        sections.attributes.size(), fail(ErrorCode::internal, "an attribute is not decoded"));
-    std::vector<std::uint64_t> memory;
-    memory.reserve(attributes.size());
-    for (const PieceSections::AttributeSection& a : sections.attributes)
-      memory.push_back(decoding_memory(a.header, a.count));
-    const std::uint64_t held =
-        memory_of(sections, values).values -
-        (memory.empty() ? 0 : *std::max_element(memory.begin(), memory.end()));
-    const unsigned workers =
-        workers_that_fit(std::move(memory), threads, left > held ? left - held : 0);
-    for_each_item(attributes.size(), workers, [&](std::size_t i, unsigned) {
-      const PieceSections::AttributeSection& a = sections.attributes[i];
-      attributes[i] = decode_attribute(a.bytes, a.at, a.header, a.count, along);
-    });
-    result.mesh.attributes.reserve(attributes.size());
-    for (auto& attribute : attributes) {
-      if (!attribute) return Failure{attribute.error()};
-      result.mesh.attributes.push_back(std::move(*attribute));
+  const bool along_surface = predicts_along_surface(sections, values);
+  const std::size_t attributes = values == Values::decode ? sections.attributes.size() : 0;
+  const unsigned workers =
+      attributes == 0 ? 1 : workers_of(sections, memory_of(sections, values), threads, left);
+
+  // Residuals need no faces, values need both: so first faces and residuals, then values. Whatever
+  // the threads do, the error of the faces comes first, then that of the first attribute.
+  Expected<DecodedFaces> decoded = fail(ErrorCode::internal, "not decoded");
+  std::vector<Expected<Bytes>> residuals(attributes, fail(ErrorCode::internal, "not decoded"));
+  std::atomic<bool> in_vain{false};
+  for_each_item(1 + attributes, workers, [&](std::size_t i, unsigned) {
+    if (i == 0) {
+      decoded = decode_faces(sections, along_surface);
+      in_vain = !decoded.ok();
+    } else if (!in_vain) {
+      const PieceSections::AttributeSection& a = sections.attributes[i - 1];
+      residuals[i - 1] = decode_residuals(a.bytes, a.at, a.header, a.count);
     }
-  }
+  });
+  if (!decoded) return Failure{decoded.error()};
+  for (const auto& rows : residuals)
+    if (!rows) return Failure{rows.error()};
+
+  const CodedSurface surface = decoded->surface();  // survives the move
+  DecodedPiece result{std::move(decoded->mesh), decoded->counts, 0};
+  result.mesh.attributes.resize(attributes);
+  for_each_item(attributes, workers, [&](std::size_t i, unsigned) {
+    result.mesh.attributes[i] =
+        reconstruct(sections.attributes[i].header, std::move(*residuals[i]), surface);
+  });
   // Not before: values are predicted along faces that all run one way.
   reverse_runs(result.mesh.corners, result.mesh.face_sizes, decoded->reversed);
   result.reversed_faces = count_reversed(decoded->reversed);
@@ -209,7 +276,7 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
 
 Expected<Done> decode_triangles(const PieceSections& sections, std::span<std::uint32_t> corners,
                                 std::span<HalfEdge> twins) {
-  auto surface = decode_surface(sections, corners, twins);
+  auto surface = decode_surface(sections, corners, twins, false);
   if (!surface) return Failure{surface.error()};
   reverse_runs(corners, {}, surface->reversed);
   return Done{};

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "codec/attributes/attribute.h"
+#include "codec/attributes/attribute_encoder.h"
 #include "codec/base/check.h"
 #include "codec/base/parallel.h"
 #include "codec/base/utf8.h"
@@ -40,17 +40,15 @@ class MeshEncoder {
                        [&] { return raw_bytes() < 3 * mesh_.face_count() / 2; });
     if (!coded) return Failure{coded.error()};
     Bytes payload, kept_order;
-    std::vector<std::uint32_t> triangles;  // of the surface, by new vertices of the mesh
+    CodedArrays surface;
     std::optional<Bytes> raw;
     const bool keep = options_.order == Order::keep;
     if (coded->given_up) {
       raw = raw_payload(all_.count());
     } else {
       number(*coded);
-      triangles = std::move(coded->surface.corners);
-      if (const auto& vertex_of = coded->surface.vertex_of; !vertex_of.empty())
-        for (std::uint32_t& v : triangles) v = vertex_of[v];
-      encode_degenerate_faces(triangles, order());
+      surface = std::move(coded->surface);
+      encode_degenerate_faces(surface.corners, order());
       payload = surface_payload(*coded);
       if (keep) {
         progress("order", 0.3);
@@ -62,7 +60,9 @@ class MeshEncoder {
     if (raw) {
       payload = std::move(*raw);
       kept_order.clear();
-      triangles = fan_triangles(mesh_.corners, mesh_.face_sizes);
+      surface.corners = fan_triangles(mesh_.corners, mesh_.face_sizes);
+      surface.introduced_by.resize(mesh_.vertex_count);
+      find_introducing(surface.corners, surface.introduced_by);
       order() = identity(mesh_);
       result.counts = {};
       info().copied_vertices = info().repeated_faces = info().degenerate_faces = 0;
@@ -77,7 +77,7 @@ class MeshEncoder {
       put(SectionKind::name, Bytes(name.begin(), name.end()));
     }
     if (!kept_order.empty()) put(SectionKind::order, std::move(kept_order));
-    if (auto ok = attributes(triangles, threads, progress); !ok) return ok;
+    if (auto ok = attributes(surface.view(), threads, progress); !ok) return ok;
     if (keep) order() = identity(mesh_);
     return Done{};
   }
@@ -174,7 +174,7 @@ class MeshEncoder {
   }
 
   template <class Progress>
-  Expected<Done> attributes(std::span<const std::uint32_t> triangles, unsigned threads,
+  Expected<Done> attributes(const CodedSurface& surface, unsigned threads,
                             const Progress& progress) {
     const std::size_t count = mesh_.attributes.size();
     std::vector<Expected<Bytes>> coded(count,
@@ -185,7 +185,7 @@ class MeshEncoder {
         progress(a.name, 0.4 + 0.6 * static_cast<double>(i) / static_cast<double>(count));
       Attribute permuted{std::string(a.name), a.domain, a.scalar, a.components, {}};
       permuted.data = permuted_values(a, all_, result.order);
-      coded[i] = encode_attribute(permuted, triangles, options_.level);
+      coded[i] = encode_attribute(permuted, surface, options_.level);
     });
     bool position_seen = false;
     for (std::size_t i = 0; i < count; ++i) {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "codec/attributes/attribute.h"
+#include "codec/attributes/attribute_decoder.h"
 #include "codec/base/budget.h"
 #include "codec/connectivity/connectivity.h"
 #include "codec/file/container.h"

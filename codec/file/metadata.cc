@@ -41,15 +41,12 @@ Expected<Bytes> encode_metadata(std::span<const MetadataEntry> entries) {
     put_varint(plain, e.value.size());
     put_bytes(plain, std::as_bytes(std::span(e.value)));
   }
-  Bytes packed(ZSTD_compressBound(plain.size()));
-  const std::size_t size = zstd_result(
-      ZSTD_compress(packed.data(), packed.size(), plain.data(), plain.size(), zstd_level));
-  if (ZSTD_isError(size))
-    return fail(ErrorCode::internal, std::string("zstd failed: ") + ZSTD_getErrorName(size));
+  const auto packed = pack_frame(plain, zstd_level);
+  if (!packed) return packed;
   Bytes payload;
   put_varint(payload, entries.size());
   put_varint(payload, plain.size());
-  put_bytes(payload, std::span(packed).first(size));
+  put_bytes(payload, *packed);
   return payload;
 }
 
@@ -76,16 +73,11 @@ Expected<std::vector<MetadataEntry>> decode_metadata(const MetadataHeader& heade
   const auto invalid = [&](std::string what) {
     return fail(ErrorCode::invalid, Place::byte, header.at, std::move(what));
   };
-  Bytes plain(static_cast<std::size_t>(header.size));
-  const std::size_t got = zstd_result(
-      ZSTD_decompress(plain.data(), plain.size(), header.packed.data(), header.packed.size()));
-  if (ZSTD_isError(got)) return invalid(std::string("zstd: ") + ZSTD_getErrorName(got));
-  if (got != plain.size())
-    return invalid("metadata of " + std::to_string(got) + " bytes, expected " +
-                   std::to_string(plain.size()));
+  const auto plain = unpack_frame(header.packed, header.at, header.size, "the metadata");
+  if (!plain) return Failure{plain.error()};
   std::vector<MetadataEntry> entries;
   entries.reserve(static_cast<std::size_t>(header.entries));
-  ByteReader in(plain, 0);
+  ByteReader in(*plain, 0);
   const auto text = [&](std::uint64_t size) {
     const auto bytes = in.take(size);
     return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());

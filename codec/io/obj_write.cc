@@ -9,13 +9,9 @@ namespace clers::io {
 
 namespace {
 
-bool is_float(const Attribute& a) {
-  return a.scalar == Scalar::float32 || a.scalar == Scalar::float64;
-}
-
 // Whether colours are 255ths all, which is how bytes are written.
 bool reads_back_as_bytes(const Attribute& color) {
-  if (!is_float(color) || color.data.empty()) return false;
+  if (!is_float(color.scalar) || color.data.empty()) return false;
   if (color.scalar == Scalar::float32) return of_255ths(color).scalar == Scalar::uint8;
   Attribute narrow{color.name, color.domain, Scalar::float32, color.components, {}};
   for (std::size_t i = 0; i < color.data.size(); i += sizeof(double)) {
@@ -55,7 +51,7 @@ class Writer {
     if (mesh.vertex_count > 0 && (!position || position->components != 3))
       return fail(ErrorCode::unsupported, "expected positions with 3 components");
     const Attribute* color = find(mesh, "color", Domain::vertex);
-    if (color && (!(is_float(*color) || color->scalar == Scalar::uint8) ||
+    if (color && (!(is_float(color->scalar) || color->scalar == Scalar::uint8) ||
                   (color->components != 3 && color->components != 4)))
       color = nullptr;
     const Attribute* const kept_color = color;
@@ -95,14 +91,14 @@ class Writer {
                                     unsigned most) {
     for (const Domain domain : {Domain::corner, Domain::vertex})
       if (const Attribute* a = find(mesh, name, domain);
-          a && is_float(*a) && a->components >= least && a->components <= most)
+          a && is_float(a->scalar) && a->components >= least && a->components <= most)
         return a;
     return nullptr;
   }
 
   void note_kept(const Attribute& a) {
     note_lost_nans(notes_, a);
-    if (!is_float(a) && a.name != "color")
+    if (!is_float(a.scalar) && a.name != "color")
       note_remark(notes_, 1, label(a), "reads back as floating point");
     if (a.domain == Domain::vertex && a.name != position_name && a.name != "color")
       note_remark(notes_, 1, label(a), "is written by corner");

@@ -40,10 +40,6 @@ std::optional<Kind> kind_of(std::string_view keyword) {
   return kind;
 }
 
-bool is_float(const Attribute& a) {
-  return a.scalar == Scalar::float32 || a.scalar == Scalar::float64;
-}
-
 // Colours of the vertices or of the faces. Whole numbers up to 255 are bytes if all are.
 class Colors {
  public:
@@ -272,7 +268,7 @@ class Reader {
 const Attribute* color_of(const Mesh& mesh, Domain domain) {
   const Attribute* a = find(mesh, "color", domain);
   return a && (a->components == 3 || a->components == 4) &&
-                 (is_float(*a) || a->scalar == Scalar::uint8)
+                 (is_float(a->scalar) || a->scalar == Scalar::uint8)
              ? a
              : nullptr;
 }
@@ -285,7 +281,7 @@ const Attribute* index_of(const Mesh& mesh) {
 
 const Attribute* floats_of(const Mesh& mesh, std::string_view name, unsigned components) {
   const Attribute* a = find(mesh, name, Domain::vertex);
-  return a && a->components == components && is_float(*a) ? a : nullptr;
+  return a && a->components == components && is_float(a->scalar) ? a : nullptr;
 }
 
 // Whether print() leaves it without a point or an exponent, like a colour that is a byte.
@@ -333,7 +329,7 @@ Expected<Done> write_off(const Mesh& mesh, Output& out, Notes& notes) {
       continue;
     }
     note_lost_nans(notes, a);
-    if (&a == position && !is_float(a))
+    if (&a == position && !is_float(a.scalar))
       note_remark(notes, 1, label(a), "reads back as floating point");
   }
   if (!mesh.name.empty()) note_left_out(notes, 1, "the name " + quoted(mesh.name), {});

@@ -9,21 +9,6 @@ namespace clers::io::ply {
 
 namespace {
 
-// Calls f with a value of the C++ type of a scalar. PLY has no 64-bit integers.
-template <class F>
-auto with_type(Scalar scalar, F&& f) {
-  switch (scalar) {
-    case Scalar::int8: return f(std::int8_t{});
-    case Scalar::uint8: return f(std::uint8_t{});
-    case Scalar::int16: return f(std::int16_t{});
-    case Scalar::uint16: return f(std::uint16_t{});
-    case Scalar::int32: return f(std::int32_t{});
-    case Scalar::uint32: return f(std::uint32_t{});
-    case Scalar::float32: return f(float{});
-    default: return f(double{});
-  }
-}
-
 const char* noun(Scalar scalar) {
   constexpr const char* nouns[scalar_count] = {"an int8",   "a uint8",  "an int16", "a uint16",
                                                "an int32",  "a uint32", "an int64", "a uint64",

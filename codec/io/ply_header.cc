@@ -24,10 +24,6 @@ std::optional<Scalar> scalar_of(std::string_view type) {
   return std::nullopt;
 }
 
-bool is_float(Scalar s) {
-  return s == Scalar::float32 || s == Scalar::float64;
-}
-
 // Reads the header line by line into `header`.
 class HeaderReader {
  public:

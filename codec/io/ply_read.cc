@@ -24,20 +24,10 @@ Scalar widest_float(std::span<const std::size_t> members, const Element& element
 
 template <class To>
 To converted(Scalar scalar, const std::byte* from) {
-  const auto as = [&]<class From>(From value) {
+  return with_type(scalar, [&](auto value) {
     std::memcpy(&value, from, sizeof value);
     return static_cast<To>(value);
-  };
-  switch (scalar) {
-    case Scalar::int8: return as(std::int8_t{});
-    case Scalar::uint8: return as(std::uint8_t{});
-    case Scalar::int16: return as(std::int16_t{});
-    case Scalar::uint16: return as(std::uint16_t{});
-    case Scalar::int32: return as(std::int32_t{});
-    case Scalar::uint32: return as(std::uint32_t{});
-    case Scalar::float32: return as(float{});
-    default: return as(double{});
-  }
+  });
 }
 
 // Interleaves columns into the values of one attribute.

@@ -367,9 +367,8 @@ Expected<ReadResult> read_stl(std::string_view file) {
 
 Expected<Done> write_stl(const Mesh& mesh, Encoding encoding, Output& out, Notes& notes) {
   const Attribute* position = mesh.position();
-  const bool is_float =
-      position && (position->scalar == Scalar::float32 || position->scalar == Scalar::float64);
-  if (mesh.vertex_count > 0 && (!is_float || position->components != 3))
+  if (mesh.vertex_count > 0 &&
+      (!position || !is_float(position->scalar) || position->components != 3))
     return fail(ErrorCode::unsupported, "expected positions with 3 floating point components");
   const std::vector<std::uint32_t> corners = triangles_of(mesh, notes);
   const std::size_t triangles = corners.size() / 3;

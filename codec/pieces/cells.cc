@@ -6,8 +6,7 @@
 #include <cstring>
 #include <span>
 
-#include "codec/attributes/attribute_format.h"
-#include "codec/attributes/prediction.h"
+#include "codec/attributes/transform.h"
 #include "codec/base/buckets.h"
 #include "codec/base/no_index.h"
 #include "codec/base/parallel.h"

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "codec/attributes/transform.h"
 #include "codec/entropy/stream.h"
 #include "codec/piece.h"
 

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "codec/base/no_index.h"
+#include "codec/connectivity/coded_surface.h"
 #include "codec/entropy/stream.h"
 
 namespace clers::internal {
@@ -208,42 +209,39 @@ class Stitching {
   NumberModel far_, gap_;
 };
 
-/// Makes mesh vertices of those of a surface: those that name their class, in their order.
-/// `classes` become the numbers of mesh vertices. Returns how many there are.
-inline std::uint32_t stitch(std::span<std::uint32_t> triangles, std::span<std::uint32_t> classes) {
+/// Numbers of mesh vertices from classes: those that name their class, in their order. Returns how
+/// many there are.
+inline std::uint32_t number_classes(std::span<std::uint32_t> classes) {
   std::uint32_t count = 0;
   std::vector<std::uint32_t> number(classes.size());
   for (std::uint32_t v = 0; v < classes.size(); ++v)
     if (classes[v] == v) number[v] = count++;
   for (std::uint32_t& c : classes) c = number[c];
-  for (std::uint32_t& v : triangles) v = classes[v];
   return count;
 }
 
 /// `vertices[v]`: which vertex of the input, of `inputs`, vertex v of the surface is, or is a copy
-/// of; then that of each mesh vertex. `vertex_of` becomes the mesh vertex of each of the surface,
-/// whose triangles are `triangles`.
-inline EncodedStream encode_copies(std::uint32_t inputs, std::span<const std::uint32_t> triangles,
-                                   std::vector<std::uint32_t>& vertices,
-                                   std::vector<std::uint32_t>& vertex_of) {
+/// of; then that of each mesh vertex. The surface, too, becomes one on mesh vertices.
+inline EncodedStream encode_copies(std::uint32_t inputs, CodedArrays& surface,
+                                   std::vector<std::uint32_t>& vertices) {
   const std::uint32_t count = static_cast<std::uint32_t>(vertices.size());
   std::uint32_t copies = 0;
-  std::vector<std::uint32_t> first(inputs, no_index);
-  vertex_of.resize(count);
+  std::vector<std::uint32_t> classes(count), first(inputs, no_index);
   for (std::uint32_t v = 0; v < count; ++v) {
     std::uint32_t& c = first[vertices[v]];
     if (c > v)
       c = v;
     else
       ++copies;
-    vertex_of[v] = c;
+    classes[v] = c;
   }
   EncodedStream out{{copies}, encode_stream([&](EncodeTo& coder) {
-                      Stitching(triangles, count, copies).code(coder, vertex_of);
+                      Stitching(surface.corners, count, copies).code(coder, classes);
                     })};
-  const std::uint32_t points = stitch({}, vertex_of);
-  for (std::uint32_t v = 0; v < count; ++v) vertices[vertex_of[v]] = vertices[v];
+  const std::uint32_t points = number_classes(classes);
+  for (std::uint32_t v = 0; v < count; ++v) vertices[classes[v]] = vertices[v];
   vertices.resize(points);
+  stitch(classes, surface.corners, surface.introduced_by);
   return out;
 }
 
@@ -260,10 +258,11 @@ struct CopiesHeader {
   }
 };
 
-/// Makes mesh vertices of those of the surface, of which there are `vertices`. Precondition: no
-/// fault. Error: invalid.
+/// Makes mesh vertices of those of the surface, of which there are `vertices`, in `introduced_by`
+/// too unless that is empty. Precondition: no fault. Error: invalid.
 inline Expected<Done> decode_copies(const CopiesHeader& header, std::uint32_t vertices,
-                                    std::span<std::uint32_t> triangles) {
+                                    std::span<std::uint32_t> triangles,
+                                    std::vector<std::uint32_t>& introduced_by) {
   std::vector<std::uint32_t> classes(vertices);
   auto ok = decode_stream(header.stream, "the copies", [&](DecodeFrom& coder) -> std::string {
     if (Stitching(triangles, vertices, static_cast<std::uint32_t>(header.copies))
@@ -272,7 +271,9 @@ inline Expected<Done> decode_copies(const CopiesHeader& header, std::uint32_t ve
     return "a vertex is a copy of none, or there are not " + std::to_string(header.copies) +
            " copies";
   });
-  if (ok) stitch(triangles, classes);
+  if (!ok) return ok;
+  number_classes(classes);
+  stitch(classes, triangles, introduced_by);
   return ok;
 }
 

@@ -63,8 +63,7 @@ Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, Wa
     const auto inputs = surface.vertex_count - static_cast<std::uint32_t>(copied.size());
     for (std::uint32_t& v : out.order.vertices)
       if (v >= inputs) v = copied[v - inputs];
-    out.copies =
-        encode_copies(inputs, out.surface.corners, out.order.vertices, out.surface.vertex_of);
+    out.copies = encode_copies(inputs, out.surface, out.order.vertices);
     out.copied_vertices = copied.size();
   }
   out.connectivity = std::move(coded->bytes);

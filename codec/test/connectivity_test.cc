@@ -11,6 +11,7 @@
 #include "codec/connectivity/spirale_reversi.h"
 #include "codec/connectivity/stream_source.h"
 #include "codec/soup/adjacency.h"
+#include "codec/test/coded_surface.h"
 #include "codec/test/correspondence.h"
 #include "corpus/enumerate.h"
 #include "corpus/generate.h"
@@ -56,9 +57,12 @@ Expected<Decoded> decode(std::span<const std::byte> bytes) {
   Decoded d;
   d.corners.resize(3 * std::size_t(header->faces));
   d.twins.resize(d.corners.size());
-  auto counts = decode_connectivity(bytes, 0, *header, d.corners, d.twins);
+  std::vector<std::uint32_t> introduced_by(header->vertices);
+  auto counts = decode_connectivity(bytes, 0, *header, d.corners, d.twins, introduced_by);
   if (!counts) return Failure{counts.error()};
   d.counts = *counts;
+  if (std::string fault = fault_of({d.corners, d.twins, introduced_by}); !fault.empty())
+    return fail(ErrorCode::internal, std::move(fault));
   std::vector<std::uint32_t> again(d.corners.size());  // the path without twins
   if (!decode_connectivity(bytes, 0, *header, again) || again != d.corners)
     return fail(ErrorCode::internal, "decoding with and without twins differ");

@@ -12,6 +12,7 @@
 #include "codec/connectivity/connectivity.h"
 #include "codec/connectivity/spirale_reversi.h"
 #include "codec/connectivity/stream_source.h"
+#include "codec/test/coded_surface.h"
 #include "codec/test/correspondence.h"
 #include "corpus/random.h"
 #include "topology/mirror.h"
@@ -22,6 +23,7 @@ namespace {
 struct Decoded {
   std::vector<std::uint32_t> corners;
   std::vector<HalfEdge> twins;
+  std::vector<std::uint32_t> introduced_by;
   ConnectivityCounts counts;
   std::uint32_t vertices = 0;
 };
@@ -33,7 +35,8 @@ Expected<Decoded> decode(std::span<const std::byte> bytes) {
   d.vertices = header->vertices;
   d.corners.resize(3 * std::size_t(header->faces));
   d.twins.resize(d.corners.size());
-  auto counts = decode_connectivity(bytes, 0, *header, d.corners, d.twins);
+  d.introduced_by.resize(d.vertices);
+  auto counts = decode_connectivity(bytes, 0, *header, d.corners, d.twins, d.introduced_by);
   if (!counts) return Failure{counts.error()};
   d.counts = *counts;
   return d;
@@ -73,6 +76,7 @@ void check(const LegalStream& stream, int level) {
   ASSERT_EQ(decoded->vertices, stream.vertices);
   ASSERT_EQ(decoded->corners, stream.corners);
   ASSERT_EQ(decoded->twins, stream.twins);
+  ASSERT_EQ(fault_of({decoded->corners, decoded->twins, decoded->introduced_by}), "");
   EXPECT_EQ(decoded->counts.components, stream.components);
   EXPECT_EQ(decoded->counts.coded_holes, stream.holes);
   EXPECT_EQ(decoded->counts.handles, stream.handles);

@@ -7,6 +7,7 @@
 
 #include "codec/compare.h"
 #include "codec/inspect.h"
+#include "codec/test/attribute.h"
 #include "codec/test/round_trip.h"
 #include "corpus/generate.h"
 
@@ -40,6 +41,10 @@ Mesh random_soup(Random& random, std::uint32_t vertices, std::uint32_t faces, st
     if (most != 3) mesh.face_sizes.push_back(static_cast<std::uint32_t>(face.size()));
     all.push_back(face);
   }
+  // Values tell vertices apart, and are decoded along whatever surface becomes of the faces.
+  std::vector<std::uint16_t> values(2 * std::size_t(vertices));
+  for (std::uint16_t& value : values) value = static_cast<std::uint16_t>(random());
+  mesh.attributes = {test::attribute(position_name, Domain::vertex, Scalar::uint16, 2, values)};
   return mesh;
 }
 
