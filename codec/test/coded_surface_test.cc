@@ -235,6 +235,37 @@ TEST(CodedSurface, TwinsOfSimplicialComplexes) {
     }
 }
 
+/// Without an ear a polygon is one of a side less, and its half-edges are a cycle either way.
+TEST(PolygonFaces, AreCyclesThatLoseEars) {
+  const std::vector<std::uint32_t> sizes = {3, 7, 4};
+  std::vector<HalfEdge> twins(14);
+  PolygonFaces faces(twins, sizes);
+  HalfEdge gate(5);  // of the second face
+  for (std::uint32_t left = 7; left >= 3; --left) {
+    std::uint32_t count = 0;
+    for (HalfEdge h = gate; count == 0 || h != gate; h = faces.next(h), ++count) {
+      ASSERT_LT(count, left);
+      ASSERT_EQ(faces.prev(faces.next(h)), h);
+      ASSERT_FALSE(faces.is_destroyed(h));
+    }
+    ASSERT_EQ(count, left);
+    ASSERT_EQ(faces.is_triangle(gate), left == 3);
+    const HalfEdge right = faces.next(gate), apex = faces.prev(gate);
+    if (left == 3)
+      faces.destroy(gate, right, apex, 14);
+    else
+      faces.cut_ear(gate, right, apex, 17 - left);
+    ASSERT_TRUE(faces.is_destroyed(gate));
+    if (left < 7) {
+      ASSERT_EQ(faces.detached_side(gate), half_edge(Face(16 - left), 2));
+    }
+    gate = apex;
+  }
+  for (std::uint32_t h = 0; h < 14; ++h)
+    ASSERT_EQ(faces.is_destroyed(HalfEdge(h)), h >= 3 && h < 10) << h;
+  EXPECT_EQ(faces.detached_side(HalfEdge(6)), half_edge(Face(14), 1));
+}
+
 /// Polygons alone, glued to themselves along all sides, and of many corners.
 TEST(CodedSurface, PolygonsOfManyCorners) {
   for (const std::uint32_t n : {3u, 4u, 5u, 17u, 1000u}) {
