@@ -4,10 +4,8 @@
 // Along a seam the boundary vertices of both pieces were finished one after the other, in opposite
 // directions. So numbers run up in one piece and down in the other, and what is coded are runs:
 //
-// clang-format off
 //     this piece        12 -- 13 -- 14 -- 15 -- 16 -- 17
 //     pieces before     96 -- 95 -- 94 -- 93    31 -- 30       two runs, both down
-// clang-format on
 #ifndef CLERS_CODEC_PIECES_SEAMS_H
 #define CLERS_CODEC_PIECES_SEAMS_H
 

@@ -4,14 +4,12 @@
 // A polygon entered through the edge a -> b is a fan of triangles around b, from a on; the side
 // b -> v of each but the last is the diagonal through which the next one is entered:
 //
-// clang-format off
 //              v1_______v2
 //              /\ .      \              triangles:   (a, b, v1), (v1, b, v2), (v2, b, v3)
 //             /   . .     \             the polygon:  a, b, v3, v2, v1
 //            a       .  .  v3
 //             \         . ./
 //              `---------b
-// clang-format on
 #ifndef CLERS_CODEC_SOUP_POLYGON_SIZES_H
 #define CLERS_CODEC_SOUP_POLYGON_SIZES_H
 

@@ -6,11 +6,9 @@
 // Cuts run along edges, so that there are as many sheets of the same edges: the class of a copy
 // mostly has a member beside another member of the class of one of its neighbours.
 //
-// clang-format off
 //          v ------ w            v is a copy, w is of the class of m:
 //          :        :            the class of v is likely that of a neighbour of m
 //          x ------ m
-// clang-format on
 #ifndef CLERS_CODEC_SOUP_STITCHING_H
 #define CLERS_CODEC_SOUP_STITCHING_H
 
