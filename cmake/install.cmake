@@ -1,12 +1,8 @@
-# Installation: libraries, public headers, the program, its manual, and what find_package and pkg-config
-# need to find them. Headers go below include/clers, so that "codec/mesh.h" pollutes nobody's path.
-set(clers_include ${CMAKE_INSTALL_INCLUDEDIR}/clers)
-install(TARGETS clers_codec EXPORT clers-targets
-  FILE_SET HEADERS DESTINATION ${clers_include} FILE_SET made DESTINATION ${clers_include})
-install(TARGETS clers_topology clers_modeling EXPORT clers-targets
-  FILE_SET HEADERS DESTINATION ${clers_include})
+# Installation: libraries, the program, its manual, and what find_package and pkg-config need to find them.
+# Public headers are installed where they are listed (headers.cmake).
+install(TARGETS clers_codec clers_topology clers_modeling EXPORT clers-targets)
 if(CLERS_IO)
-  install(TARGETS clers_io EXPORT clers-targets FILE_SET HEADERS DESTINATION ${clers_include})
+  install(TARGETS clers_io EXPORT clers-targets)
 endif()
 install(EXPORT clers-targets NAMESPACE clers:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/clers)
 configure_package_config_file(cmake/clers-config.cmake.in clers-config.cmake
@@ -57,3 +53,11 @@ if(CLERS_CLI)
   install(FILES codec/cli/completion/_clers DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 endif()
 install(FILES LICENSE codec/format.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# Before 1.0 a minor version may break.
+set_target_properties(clers_codec clers_topology clers_modeling PROPERTIES
+  VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+if(CLERS_IO)
+  set_target_properties(clers_io PROPERTIES
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+endif()

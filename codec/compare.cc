@@ -28,7 +28,7 @@
 // Colours differ: no bijection exists. Equality is proved at the end, on the bits themselves
 // (renumbering.h).
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 namespace {
 
 using namespace internal;

@@ -4,11 +4,12 @@
 
 #include <string>
 
-#include "codec/error.h"
-#include "codec/mesh.h"
-#include "codec/verdict.h"
+#include <clers/error.h>
+#include <clers/mesh.h>
+#include <clers/topology/export.h>
+#include <clers/verdict.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// Compares without any knowledge of the codec: refines classes of vertices by their values and
 /// neighbourhoods until a renumbering is forced, then checks it. Positions may coincide. Attributes

@@ -4,7 +4,7 @@
 #include "codec/file/decode_meshes.h"
 #include "codec/file/open_file.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 using namespace internal;
 

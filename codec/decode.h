@@ -6,11 +6,12 @@
 #include <span>
 #include <vector>
 
-#include "codec/error.h"
-#include "codec/mesh.h"
-#include "codec/options.h"
+#include <clers/error.h>
+#include <clers/mesh.h>
+#include <clers/options.h>
+#include <clers/topology/export.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// Decodes all meshes of a .clers file, as Decoder::open(bytes, options) and decode() do: see there
 /// (codec/decoder.h) for errors, cost, exceptions and thread safety, and for all other ways to

@@ -11,7 +11,7 @@
 #include "codec/file/open_file.h"
 #include "codec/file/target_decoder.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 struct Decoder::State {
   internal::OpenFile file;

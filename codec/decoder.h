@@ -7,14 +7,15 @@
 #include <span>
 #include <vector>
 
-#include "codec/error.h"
-#include "codec/info.h"
-#include "codec/mesh.h"
-#include "codec/mesh_target.h"
-#include "codec/options.h"
-#include "codec/piece.h"
+#include <clers/error.h>
+#include <clers/info.h>
+#include <clers/mesh.h>
+#include <clers/mesh_target.h>
+#include <clers/options.h>
+#include <clers/piece.h>
+#include <clers/topology/export.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// Trusts no byte: counts are checked against the bytes that remain and the limits before anything
 /// is allocated, every index that comes out is below the mesh's vertices, and what is wrong with

@@ -15,7 +15,7 @@
 #include "codec/file/piece_encoder.h"
 #include "codec/pieces/partition.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 namespace {
 
 using namespace internal;

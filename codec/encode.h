@@ -6,14 +6,15 @@
 #include <span>
 #include <vector>
 
-#include "codec/error.h"
-#include "codec/info.h"
-#include "codec/mesh.h"
-#include "codec/mesh_view.h"
-#include "codec/options.h"
-#include "codec/order.h"
+#include <clers/error.h>
+#include <clers/info.h>
+#include <clers/mesh.h>
+#include <clers/mesh_view.h>
+#include <clers/options.h>
+#include <clers/order.h>
+#include <clers/topology/export.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// Of each mesh, in their order: how it was renumbered, and what it costs.
 struct Encoded {

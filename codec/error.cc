@@ -1,6 +1,6 @@
 #include "codec/error.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 const char* name(ErrorCode code) {
   switch (code) {

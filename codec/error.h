@@ -5,9 +5,10 @@
 #include <cstdint>
 #include <string>
 
-#include "topology/result.h"
+#include <clers/topology/export.h>
+#include <clers/topology/result.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// Stable numbers: they are part of the API and of the tests of the format.
 enum class ErrorCode : std::uint16_t {

@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "codec/mesh.h"
+#include <clers/mesh.h>
+#include <clers/topology/export.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// A mesh as it is measured, defects included.
 struct MeshShape {

@@ -8,7 +8,7 @@
 #include "codec/file/open_file.h"
 #include "codec/soup/measure.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 namespace {
 
 using namespace internal;

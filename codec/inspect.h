@@ -6,12 +6,13 @@
 #include <span>
 #include <vector>
 
-#include "codec/error.h"
-#include "codec/info.h"
-#include "codec/limits.h"
-#include "codec/mesh_view.h"
+#include <clers/error.h>
+#include <clers/info.h>
+#include <clers/limits.h>
+#include <clers/mesh_view.h>
+#include <clers/topology/export.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// A mesh of a file, measured.
 struct InspectedMesh {

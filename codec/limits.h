@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <optional>
 
-namespace clers {
+#include <clers/topology/export.h>
+
+namespace CLERS_VISIBLE clers {
 
 /// A file that exceeds one is refused with ErrorCode::limit before anything is allocated for it;
 /// Error::limited says which limit, Error::needed what it must be at least.

@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "codec/scalar.h"
+#include <clers/scalar.h>
+#include <clers/topology/export.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 struct AttributeView;  // codec/mesh_view.h
 struct MeshView;

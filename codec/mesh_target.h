@@ -8,10 +8,11 @@
 #include <string_view>
 #include <type_traits>
 
-#include "codec/mesh.h"
-#include "codec/mesh_view.h"
+#include <clers/mesh.h>
+#include <clers/mesh_view.h>
+#include <clers/topology/export.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// Memory for the values of an attribute: the counterpart of AttributeView.
 struct AttributeTarget {

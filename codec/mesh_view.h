@@ -11,9 +11,10 @@
 #include <string_view>
 #include <type_traits>
 
-#include "codec/mesh.h"
+#include <clers/mesh.h>
+#include <clers/topology/export.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// Values of an attribute, one after the other or a stride apart, as in an interleaved vertex
 /// buffer.

@@ -7,10 +7,11 @@
 #include <optional>
 #include <string_view>
 
-#include "codec/limits.h"
-#include "codec/order.h"
+#include <clers/limits.h>
+#include <clers/order.h>
+#include <clers/topology/export.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 inline constexpr int min_level = 1, max_level = 9, default_level = 5;
 

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace clers {
+#include <clers/topology/export.h>
+
+namespace CLERS_VISIBLE clers {
 
 /// The order in which vertices and faces come back, and the corner that each face begins with.
 enum class Order : std::uint8_t {

@@ -6,9 +6,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "codec/mesh.h"
+#include <clers/mesh.h>
+#include <clers/topology/export.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// A vertex of a piece that is a vertex of a piece before it.
 struct SharedVertex {

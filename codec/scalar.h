@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace clers {
+#include <clers/topology/export.h>
+
+namespace CLERS_VISIBLE clers {
 
 /// How one component of a value is stored. The numbers are the file format's.
 enum class Scalar : std::uint8_t {

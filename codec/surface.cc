@@ -10,7 +10,7 @@
 #include "codec/base/wide_corners.h"
 #include "codec/soup/adjacency.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 namespace {
 
 using namespace internal;

@@ -4,12 +4,13 @@
 
 #include <vector>
 
-#include "codec/error.h"
-#include "codec/mesh.h"
-#include "codec/mesh_view.h"
-#include "topology/surface.h"
+#include <clers/error.h>
+#include <clers/mesh.h>
+#include <clers/mesh_view.h>
+#include <clers/topology/export.h>
+#include <clers/topology/surface.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// The surface of a mesh of triangles: Vertex(i), Face(i) and HalfEdge(i) are vertex, face and
 /// corner i of the mesh, so that its arrays of values can be indexed by them. Vertices that no face

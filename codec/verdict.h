@@ -4,7 +4,9 @@
 
 #include <string>
 
-namespace clers {
+#include <clers/topology/export.h>
+
+namespace CLERS_VISIBLE clers {
 
 enum class Verdict {
   same,       ///< a renumbering was found under which all faces and values agree bit for bit

@@ -9,9 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "topology/ids.h"
+#include <clers/topology/export.h>
+#include <clers/topology/ids.h>
 
-namespace clers::internal {
+namespace clers {
+namespace CLERS_VISIBLE internal {
 
 class Attachments;
 
@@ -150,6 +152,7 @@ inline void AttachedData::replace(AttachedData& other) noexcept {
   other.list_ = nullptr;
 }
 
-}  // namespace clers::internal
+}  // namespace internal
+}  // namespace clers
 
 #endif

@@ -1,6 +1,6 @@
 #include "topology/characteristic.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 const char* name(HandleCase kind) {
   constexpr const char* names[handle_case_count] = {

@@ -7,10 +7,11 @@
 #include <cstdint>
 #include <optional>
 
-#include "topology/handle_case.h"
-#include "topology/stellar_case.h"
+#include <clers/topology/export.h>
+#include <clers/topology/handle_case.h>
+#include <clers/topology/stellar_case.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// Vertices, edges, faces, boundary curves, genus and components: a point of the paper's space E^6.
 struct Characteristic {

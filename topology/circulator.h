@@ -7,9 +7,10 @@
 #include <cstdint>
 #include <iterator>
 
-#include "topology/ids.h"
+#include <clers/topology/export.h>
+#include <clers/topology/ids.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 class Surface;
 

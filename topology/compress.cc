@@ -3,7 +3,7 @@
 
 #include "topology/surface.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 namespace {
 
 /// The new id of each of the first `limit` ids, given to those of `live` in their order.

@@ -1,6 +1,6 @@
 #include "topology/derived.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 Result<Face, Violation> attach(Surface& surface, HalfEdge h, Point apex) {
   if (!surface.is_live(h)) return Failure{Violation{Precondition::live_half_edge, h.index()}};

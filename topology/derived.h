@@ -5,9 +5,10 @@
 #include <array>
 #include <span>
 
-#include "topology/surface.h"
+#include <clers/topology/export.h>
+#include <clers/topology/surface.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// Adds a triangle to the boundary: create on the points of h's destination and origin and on
 /// `apex`, then glue of h to its half-edge 0.

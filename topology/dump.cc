@@ -3,7 +3,7 @@
 #include <ostream>
 #include <sstream>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 namespace {
 
 template <class Tag>

@@ -4,9 +4,10 @@
 
 #include <string>
 
-#include "topology/surface.h"
+#include <clers/topology/export.h>
+#include <clers/topology/surface.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// All that a surface's queries return, one line for each element: counts, faces with their
 /// origins, twins and component, vertices, curves. For people, and to compare before and after.

@@ -4,7 +4,7 @@
 #include "topology/follow.h"
 #include "topology/surface.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 using internal::DataKind;
 

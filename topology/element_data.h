@@ -6,9 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "topology/surface.h"
+#include <clers/topology/export.h>
+#include <clers/topology/surface.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// A T for each id of one kind, attached to a surface: it grows with the surface, and every
 /// operator keeps the values where they belong.

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 namespace {
 
 std::uint64_t mix(std::uint64_t seed, std::uint64_t x) {

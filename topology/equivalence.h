@@ -5,9 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "topology/surface.h"
+#include <clers/topology/export.h>
+#include <clers/topology/surface.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// Which element of the second surface each element of the first is; null at dead ids.
 struct Correspondence {

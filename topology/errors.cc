@@ -1,6 +1,6 @@
 #include "topology/errors.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 namespace {
 
 struct Text {

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <string>
 
-namespace clers {
+#include <clers/topology/export.h>
+
+namespace CLERS_VISIBLE clers {
 
 /// What an operator requires of its arguments.
 enum class Precondition : std::uint8_t {

@@ -1,6 +1,6 @@
 #include "topology/follow.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 Change Change::of_flip(HalfEdge h, HalfEdge t) {
   Change c;

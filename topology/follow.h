@@ -8,9 +8,10 @@
 #include <span>
 #include <type_traits>
 
-#include "topology/surface.h"
+#include <clers/topology/export.h>
+#include <clers/topology/surface.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// What a stellar operator did to the elements around it, for values that callers keep by corner,
 /// side, face or vertex. What it does not name is unchanged. All moves happen at once: a half-edge

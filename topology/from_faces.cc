@@ -5,7 +5,7 @@
 
 #include "topology/surface.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 namespace {
 
 Failure<BrokenRule> broken(FaceRule rule, std::size_t element) {

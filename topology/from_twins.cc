@@ -3,7 +3,7 @@
 
 #include "topology/surface.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 namespace {
 
 Failure<Fault> fault(Invariant i, std::size_t element) {

@@ -1,7 +1,7 @@
 // glue: identifies two boundary edges (§5.1.1, §6.2).
 #include "topology/surface.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// By the positions of the two on the boundary curves alone: which vertices coincide says nothing.
 HandleCase Surface::classify(HalfEdge h0, HalfEdge h1) const {

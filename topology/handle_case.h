@@ -4,7 +4,9 @@
 
 #include <cstdint>
 
-namespace clers {
+#include <clers/topology/export.h>
+
+namespace CLERS_VISIBLE clers {
 
 /// What gluing two boundary edges did, or ungluing an interior edge undid. In brackets the effect
 /// of gluing on (v, e, f, b, g, s).

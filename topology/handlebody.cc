@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 OperatorCounts Handlebody::counts() const {
   OperatorCounts counts;

@@ -5,9 +5,10 @@
 #include <array>
 #include <vector>
 
-#include "topology/surface.h"
+#include <clers/topology/export.h>
+#include <clers/topology/surface.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// A handlebody decomposition (Theorem 4): triangles, and then the glues in the order that builds.
 struct Handlebody {

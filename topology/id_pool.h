@@ -8,11 +8,14 @@
 #include <cstdint>
 #include <vector>
 
-namespace clers {
+#include <clers/topology/export.h>
+
+namespace CLERS_VISIBLE clers {
 struct SurfacePeer;  // corrupts arrays, in tests
 }
 
-namespace clers::internal {
+namespace clers {
+namespace CLERS_VISIBLE internal {
 
 /// Grows the capacity of `v` geometrically so that `extra` more elements fit without allocation.
 template <class T>
@@ -61,6 +64,7 @@ class IdPool {
   std::uint32_t size_ = 0;
 };
 
-}  // namespace clers::internal
+}  // namespace internal
+}  // namespace clers
 
 #endif

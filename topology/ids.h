@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <functional>
 
-namespace clers {
+#include <clers/topology/export.h>
+
+namespace CLERS_VISIBLE clers {
 
 /// An index that knows what it counts. Default: the null id. Converts from and to integers only
 /// explicitly, and never compares with an id of another kind.

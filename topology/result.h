@@ -6,7 +6,9 @@
 #include <utility>
 #include <variant>
 
-namespace clers {
+#include <clers/topology/export.h>
+
+namespace CLERS_VISIBLE clers {
 
 /// Wraps an error so that it converts to any Result with that error type.
 template <class E>

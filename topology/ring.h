@@ -12,13 +12,15 @@
 #include <utility>
 #include <vector>
 
-#include "topology/ids.h"
+#include <clers/topology/export.h>
+#include <clers/topology/ids.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 struct SurfacePeer;  // corrupts arrays, in tests
 }
 
-namespace clers::internal {
+namespace clers {
+namespace CLERS_VISIBLE internal {
 
 /// A forest of treaps over half-edges. A tree is named by its root; the null id is the empty tree.
 /// Trees of n nodes cost O(log n) expected for each operation that does not say otherwise; none
@@ -158,6 +160,7 @@ class Rings {
   std::vector<Node> nodes_;
 };
 
-}  // namespace clers::internal
+}  // namespace internal
+}  // namespace clers
 
 #endif

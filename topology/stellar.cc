@@ -2,7 +2,7 @@
 #include "topology/follow.h"
 #include "topology/surface.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 namespace {
 
 constexpr std::size_t rim_most = 4;  // edges of the rim of a star that is replaced

@@ -6,10 +6,11 @@
 
 #include <optional>
 
-#include "topology/follow.h"
-#include "topology/surface.h"
+#include <clers/topology/export.h>
+#include <clers/topology/follow.h>
+#include <clers/topology/surface.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// Is the edge's link all that the links of its ends have in common, the boundary counting as one
 /// more vertex that closes every curve (Dey, Edelsbrunner)? If it is, contracting the edge changes

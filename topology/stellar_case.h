@@ -5,7 +5,9 @@
 
 #include <cstdint>
 
-namespace clers {
+#include <clers/topology/export.h>
+
+namespace CLERS_VISIBLE clers {
 
 /// What a split did, or a weld undid. In brackets the effect of splitting on (v, e, f, b, g, s).
 enum class StellarCase : std::uint8_t {

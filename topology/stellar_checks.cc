@@ -1,7 +1,7 @@
 // The preconditions of operators composed of stellar ones.
 #include "topology/stellar.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 namespace {
 
 bool adjacent(const Surface& s, Vertex a, Vertex b) {

@@ -1,7 +1,7 @@
 // Elements of a surface: ids, room for them, create and destroy.
 #include "topology/surface.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 using internal::reserve_more;
 

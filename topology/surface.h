@@ -9,16 +9,17 @@
 #include <span>
 #include <vector>
 
-#include "topology/attachments.h"
-#include "topology/characteristic.h"
-#include "topology/circulator.h"
-#include "topology/errors.h"
-#include "topology/id_pool.h"
-#include "topology/ids.h"
-#include "topology/result.h"
-#include "topology/ring.h"
+#include <clers/topology/attachments.h>
+#include <clers/topology/characteristic.h>
+#include <clers/topology/circulator.h>
+#include <clers/topology/errors.h>
+#include <clers/topology/export.h>
+#include <clers/topology/id_pool.h>
+#include <clers/topology/ids.h>
+#include <clers/topology/result.h>
+#include <clers/topology/ring.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 class Change;  // follow.h
 

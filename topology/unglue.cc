@@ -3,7 +3,7 @@
 
 #include "topology/surface.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// Gives every fan that the cut of `cut` and its twin leaves at one vertex a vertex of its own:
 /// those that begin, counterclockwise, at these half-edges. The largest keeps the vertex. All are

@@ -1,6 +1,6 @@
 #include "topology/validate.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 using internal::IdPool;
 using internal::Rings;

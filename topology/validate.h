@@ -5,10 +5,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "topology/errors.h"
-#include "topology/surface.h"
+#include <clers/topology/errors.h>
+#include <clers/topology/export.h>
+#include <clers/topology/surface.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// The invariants that do not hold, with the elements at which they fail, at most `limit` of them
 /// in the order of `Invariant`; none for a valid surface. What relies on an invariant that failed

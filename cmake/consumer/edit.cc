@@ -2,9 +2,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "codec/decode.h"
-#include "codec/encode.h"
-#include "codec/surface.h"
+#include <clers/decode.h>
+#include <clers/encode.h>
+#include <clers/surface.h>
 
 int main() {
   // A square of two triangles, with a height at each vertex.

@@ -1,7 +1,7 @@
 // A mesh file in memory, read by clers::io.
 #include <string_view>
 
-#include "codec/io/io.h"
+#include <clers/io.h>
 
 int main() {
   constexpr std::string_view file = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";

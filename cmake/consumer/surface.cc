@@ -1,7 +1,6 @@
 // Two triangles glued along an edge are a disk; subdivided, they are a finer one.
-#include "topology/surface.h"
-
-#include "topology/modeling/loop.h"
+#include <clers/modeling/loop.h>
+#include <clers/topology/surface.h>
 
 int main() {
   clers::Surface surface;

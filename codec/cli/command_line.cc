@@ -13,7 +13,7 @@
 #include "codec/cli/files.h"
 #include "codec/cli/printable.h"
 #include "codec/cli/words.h"
-#include "codec/version.h"
+#include <clers/version.h>
 
 namespace clers::cli {
 namespace {

@@ -10,7 +10,8 @@
 #include "codec/io/formats.h"
 #include "codec/io/numbers.h"
 
-namespace clers::io {
+namespace clers {
+namespace CLERS_VISIBLE io {
 
 namespace {
 
@@ -273,4 +274,5 @@ void note_lost_nans(Notes& notes, const Attribute& attribute) {
                          " cannot be written as text and read back as those of a plain NaN"});
 }
 
-}  // namespace clers::io
+}  // namespace io
+}  // namespace clers

@@ -10,10 +10,12 @@
 #include <string_view>
 #include <vector>
 
-#include "codec/error.h"
-#include "codec/mesh.h"
+#include <clers/error.h>
+#include <clers/mesh.h>
+#include <clers/topology/export.h>
 
-namespace clers::io {
+namespace clers {
+namespace CLERS_VISIBLE io {
 
 /// What is read and, but for what is in brackets, written:
 ///
@@ -100,6 +102,7 @@ struct WriteResult {
 Expected<WriteResult> write(std::span<const Mesh> meshes, Format format,
                             std::optional<Encoding> encoding = std::nullopt);
 
-}  // namespace clers::io
+}  // namespace io
+}  // namespace clers
 
 #endif

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 void Creases::mark(const Surface& surface, HalfEdge h) {
   for (const HalfEdge side : surface.star(h)) {

@@ -6,10 +6,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "topology/follow.h"
-#include "topology/surface.h"
+#include <clers/topology/export.h>
+#include <clers/topology/follow.h>
+#include <clers/topology/surface.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// A set of edges, the creases, that observes the operators (follow.h): the parts of a split edge
 /// are creases if the edge was. The boundary is sharp without being marked: schemes treat both

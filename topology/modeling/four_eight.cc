@@ -5,7 +5,7 @@
 
 #include "topology/modeling/masks.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 bool is_split_edge(const Surface& surface, HalfEdge h) {
   return corner(h) == 1 && (surface.is_boundary(h) || corner(surface.sym(h)) == 1);

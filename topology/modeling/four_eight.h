@@ -6,10 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "topology/modeling/creases.h"
-#include "topology/modeling/geometry.h"
+#include <clers/modeling/creases.h>
+#include <clers/modeling/geometry.h>
+#include <clers/topology/export.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// A tri-quad mesh is made of blocks: two faces and the edge between them, the split edge, which is
 /// half-edge 1 on both sides; a face whose half-edge 1 is on the boundary is half a block. The

@@ -6,9 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "topology/surface.h"
+#include <clers/topology/export.h>
+#include <clers/topology/surface.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// A vertex and its weight; the weights of a mask add up to 1.
 struct Term {

@@ -5,10 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "topology/modeling/creases.h"
-#include "topology/modeling/geometry.h"
+#include <clers/modeling/creases.h>
+#include <clers/modeling/geometry.h>
+#include <clers/topology/export.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// Where a vertex goes in a step: 1 - a, and a/n for each of n neighbours, a(n) = (40 - (3 + 2 cos
 /// 2pi/n)^2) / 64 (Loop 1987); on a sharp curve 3/4, and 1/8 for each neighbour on it; corners

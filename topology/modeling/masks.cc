@@ -1,6 +1,6 @@
 #include "topology/modeling/masks.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 void vertex_mask(const Surface& surface, const Creases& creases, Vertex v,
                  double (*ring)(std::uint32_t degree), double along, std::vector<Term>& mask) {

@@ -5,7 +5,7 @@
 
 #include "topology/modeling/masks.h"
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 namespace {
 
 double alpha(std::uint32_t n) {

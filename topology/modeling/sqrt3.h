@@ -6,10 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "topology/modeling/creases.h"
-#include "topology/modeling/geometry.h"
+#include <clers/modeling/creases.h>
+#include <clers/modeling/geometry.h>
+#include <clers/topology/export.h>
 
-namespace clers {
+namespace CLERS_VISIBLE clers {
 
 /// Steps come in pairs: two of them cut every edge in three. A sharp edge (one on the boundary
 /// too), which must not be flipped, waits through the first of a pair and is cut in three by the
