@@ -500,7 +500,7 @@ TEST(Memory, ViewsAreEncodedWithoutACopy) {
                         as_narrow = encoding_peak(narrow, options);
     EXPECT_LE(as_view, as_mesh + 1024);
     EXPECT_LE(as_narrow, as_mesh + 4 * corners.size() + 1024);
-    EXPECT_GE(as_narrow, as_mesh + 4 * corners.size() - 1024);
+    EXPECT_GE(as_narrow, as_mesh + 3 * corners.size());  // a copy is seen here
   }
 }
 
