@@ -48,9 +48,9 @@ Expected<EncodedConnectivity> encode_connectivity(SurfaceArrays surface, int lev
                                                   bool with_twins = false);
 
 /// The same bytes, with every operator run on a full surface too and the surface validated; `trace`
-/// receives the operators of the unbuilding as the surface found them (OperatorTrace). Of polygons these are the
-/// operators on their triangles, which must be unbuilt in the same way. Slow. Errors: as above, and
-/// internal if the two do not agree.
+/// receives the operators of the unbuilding as the surface found them (OperatorTrace). Of polygons
+/// these are the operators on their triangles, which must be unbuilt in the same way. Slow. Errors:
+/// as above, and internal if the two do not agree.
 Expected<EncodedConnectivity> encode_connectivity_on_surface(SurfaceArrays surface, int level,
                                                              std::vector<std::uint8_t>& trace);
 

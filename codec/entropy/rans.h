@@ -61,8 +61,7 @@ class Encoder {
         state >>= 16;
       }
       // quotient * scale + remainder + start, with the least to do after the division
-      const std::uint32_t quotient =
-          s.size == most_certain ? state / most_certain : state / s.size;
+      const std::uint32_t quotient = s.size == most_certain ? state / most_certain : state / s.size;
       state = state + s.start + quotient * (scale - s.size);
     }
     out.reserve(out.size() + 4 + 2 * words.size());

@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "codec/base/portable.h"
 #include "codec/base/no_index.h"
+#include "codec/base/portable.h"
 
 namespace clers::internal {
 namespace {
