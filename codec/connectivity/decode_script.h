@@ -33,7 +33,7 @@ struct DecodeScript {
   std::vector<std::uint32_t> vertices;        ///< vertices[new] = old
 };
 
-/// The record of a traversal with its handles placed (place_handles.h), whose contexts and vertices
+/// The script of a traversal with its handles placed (place_handles.h), whose contexts and vertices
 /// move into it. Cost: linear.
 DecodeScript script_of(Traversal& traversal);
 

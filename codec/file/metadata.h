@@ -34,7 +34,7 @@ Expected<std::vector<MetadataEntry>> decode_metadata(const MetadataHeader& heade
 /// What keeps entries from being coded; empty if nothing does.
 std::string metadata_fault(std::span<const MetadataEntry> entries);
 
-/// Precondition: no objection. Throws std::bad_alloc; zstd failing is internal.
+/// Precondition: no metadata_fault. Throws std::bad_alloc; zstd failing is internal.
 Expected<Bytes> encode_metadata(std::span<const MetadataEntry> entries);
 
 }  // namespace clers::internal
