@@ -17,7 +17,8 @@
 // cycles, onto those of the other, and every value with them. Finding it is graph isomorphism;
 // meshes make it easy nearly always:
 //
-//   1. Colour the vertices by their values (comparand.h). In most files positions differ, so every
+//   1. Colour the vertices by their values (compared_mesh.h). In most files positions differ, so
+//   every
 //      colour is alone in its class and the bijection is forced.
 //   2. Otherwise refine (refinement.h), until that is so or nothing more is learned.
 //   3. Where classes stay larger than one vertex, cut them finer than hashes did and single out one
@@ -71,7 +72,7 @@ std::optional<std::string> colour(ComparedMesh& a, ComparedMesh& b, std::vector<
   return std::nullopt;
 }
 
-/// What neither colours nor the order of attributes tell apart.
+/// What neither colours nor the order of attributes distinguish.
 Comparison compare_structure(ComparedMesh& first, ComparedMesh& second) {
   std::vector<Index> image;
   bool forced = false;

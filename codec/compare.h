@@ -17,8 +17,8 @@ namespace CLERS_VISIBLE clers {
 /// Errors: inconsistent_mesh, too_large (2^32 - 1 corners or more), out_of_memory. Thread safe.
 ///
 /// Cost: n log n in vertices, corners and values, also for duplicate faces, many faces at one edge
-/// or vertex, and equal components. Where vertices cannot be told from each other by all that
-/// surrounds them, but are different (a regular torus, cut and sewn another way), a search takes
+/// or vertex, and equal components. Where all that surrounds vertices does not distinguish
+/// them, but they are different (a regular torus, cut and sewn another way), a search takes
 /// some seconds more before it gives up.
 Expected<Comparison> compare(const Mesh& a, const Mesh& b);
 

@@ -14,7 +14,7 @@
 namespace CLERS_VISIBLE clers {
 
 /// Decodes all meshes of a .clers file, as Decoder::open(bytes, options) and decode() do: see there
-/// (codec/decoder.h) for errors, cost, exceptions and thread safety, and for all other ways to
+/// (<clers/decoder.h>) for errors, cost, exceptions and thread safety, and for all other ways to
 /// decode.
 Expected<std::vector<Mesh>> decode(std::span<const std::byte> bytes,
                                    const DecodeOptions& options = {});

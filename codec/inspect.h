@@ -27,7 +27,7 @@ struct Inspection {
 };
 
 /// Decodes the faces of all meshes of a .clers file, not their attributes, and measures them.
-/// Decoder::info (codec/decoder.h) gives Inspection::file alone at once. Errors: those of decode.
+/// Decoder::info (<clers/decoder.h>) gives Inspection::file alone at once. Errors: those of decode.
 /// Thread safe. Cost: several times that of decoding the faces; the memory of one mesh at a time,
 /// for which the limit is.
 Expected<Inspection> inspect(std::span<const std::byte> bytes, const Limits& limits = {});

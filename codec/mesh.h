@@ -12,7 +12,7 @@
 
 namespace CLERS_VISIBLE clers {
 
-struct AttributeView;  // codec/mesh_view.h
+struct AttributeView;  // <clers/mesh_view.h>
 struct MeshView;
 
 /// What an attribute has one value for.

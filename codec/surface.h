@@ -1,4 +1,4 @@
-// A mesh as a surface of topology/surface.h, to be edited by its operators, and back.
+// A mesh as a surface of <clers/topology/surface.h>, to be edited by its operators, and back.
 #ifndef CLERS_CODEC_SURFACE_H
 #define CLERS_CODEC_SURFACE_H
 

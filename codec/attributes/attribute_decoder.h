@@ -14,8 +14,8 @@
 
 namespace clers::internal {
 
-/// Whether what follows the header is one zstd frame that can hold `count` values, as far as it can
-/// be told without unpacking it. Errors: invalid.
+/// Whether what follows the header is one zstd frame that can hold `count` values, as far as can
+/// be seen without unpacking it. Errors: invalid.
 Expected<Done> check_values(std::span<const std::byte> bytes, std::uint64_t at,
                             const AttributeHeader& header, std::uint64_t count);
 

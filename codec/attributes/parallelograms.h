@@ -11,7 +11,7 @@ namespace clers::internal {
 
 /// Calls visit(a, b, c) for each triangle around vertex v, counterclockwise from the one that
 /// introduces it, if there is a triangle across from v and all three vertices were introduced
-/// before: v is guessed to be at a + b - c (Touma and Gotsman 1998).
+/// before: v is predicted at a + b - c (Touma and Gotsman 1998).
 ///
 ///          v
 ///         / \         .
@@ -20,7 +20,7 @@ namespace clers::internal {
 ///          c
 ///
 /// Where v has copies, the triangles are those around the copy that is introduced first. Where some
-/// lie beyond the boundary, those clockwise from the first one follow. Preconditions: a triangle
+/// are beyond the boundary, those clockwise from the first one follow. Preconditions: a triangle
 /// has v; twins are there. Cost: linear in the triangles around that copy.
 template <class Visit>
 void for_each_parallelogram(const CodedSurface& surface, std::uint32_t v, Visit visit) {

@@ -38,7 +38,7 @@ struct Prediction {
 /// others in the order of their numbers, predicted from the number before. What has nothing before
 /// it gets itself.
 ///
-///        v          c is the corner across the gate a-b, if the triangle before lies there
+///        v          c is the corner across the gate a-b, if the triangle before is there
 ///       / \         .
 ///      a===b
 ///       \ /

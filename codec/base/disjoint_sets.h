@@ -57,7 +57,7 @@ class SignedSets {
   };
   Member find(std::uint32_t v) {
     bool opposite = false;
-    while (parent_[v] != v) {  // path halving: v hangs below its grandparent now
+    while (parent_[v] != v) {  // path halving: the grandparent of v becomes its parent
       const std::uint32_t p = parent_[v];
       opposite_[v] ^= opposite_[p];
       parent_[v] = parent_[p];

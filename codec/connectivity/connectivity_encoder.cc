@@ -22,13 +22,13 @@ namespace {
 
 static_assert(Traversal::max_valence == ContextTables::max_valence);
 
-/// Tells symbols and answers while the surface is built once more, with all that the decoder will
+/// Writes symbols and events while the surface is built once more, with all that the decoder will
 /// know of it.
 class EncodingSource : public EventWriter {
  public:
-  EncodingSource(const DecodeScript& record, std::size_t ids, rans::Encoder& out)
-      : EventWriter(record.events, out),
-        contexts_(record.contexts),
+  EncodingSource(const DecodeScript& script, std::size_t ids, rans::Encoder& out)
+      : EventWriter(script.events, out),
+        contexts_(script.contexts),
         coder_(out),
         model_(contexts_.size(), ids) {}
 
@@ -48,26 +48,26 @@ class EncodingSource : public EventWriter {
   MixingModel model_;
 };
 
-/// What follows the header, and what it tells of.
+/// What follows the header, and what it says.
 struct CodedSymbols {
   SymbolModel model;
   Bytes bytes;
   std::uint64_t handles = 0, holes = 0, closed_components = 0, special_cost = 0;
 };
 
-/// Tells the symbols and answers with a model.
-CodedSymbols encode_symbols(SymbolModel model, const DecodeScript& record, std::size_t ids) {
-  CodedSymbols told;
-  told.model = model;
+/// Encodes the symbols and events with a model.
+CodedSymbols encode_symbols(SymbolModel model, const DecodeScript& script, std::size_t ids) {
+  CodedSymbols coded;
+  coded.model = model;
   rans::Encoder stream;
-  const auto finish = [&](const EventWriter& answers) {
-    told.handles = answers.handles;
-    told.holes = answers.holes;
-    told.closed_components = answers.closed_components;
-    told.special_cost = answers.special_cost;
-    stream.finish(told.bytes);
+  const auto finish = [&](const EventWriter& events) {
+    coded.handles = events.handles;
+    coded.holes = events.holes;
+    coded.closed_components = events.closed_components;
+    coded.special_cost = events.special_cost;
+    stream.finish(coded.bytes);
   };
-  const std::uint32_t faces = static_cast<std::uint32_t>(record.contexts.size());
+  const std::uint32_t faces = static_cast<std::uint32_t>(script.contexts.size());
   if (model.kind == SymbolModel::Kind::mixing) {
     std::vector<std::uint32_t> corners(3 * faces);
     std::vector<FrontLink> links(ids);
@@ -75,68 +75,68 @@ CodedSymbols encode_symbols(SymbolModel model, const DecodeScript& record, std::
     building.corners = corners;
     building.links = links;
     NoPairing none;
-    EncodingSource source(record, ids, stream);
+    EncodingSource source(script, ids, stream);
     SpiraleReversi<NoPairing, EncodingSource>(building, none, source).run();
     finish(source);
-    return told;
+    return coded;
   }
-  EventWriter answers(record.events, stream);
-  // put(symbol, valence) for each, and the answers where they are asked for.
-  const auto tell_all = [&](auto put) {
-    const std::uint8_t* const contexts = record.contexts.data();
+  EventWriter events(script.events, stream);
+  // put(symbol, valence) for each, and the events where they are asked for.
+  const auto put_all = [&](auto put) {
+    const std::uint8_t* const contexts = script.contexts.data();
     const auto put_at = [&](std::uint32_t i) {
       if (i > 0) put(static_cast<Clers>(contexts[i] & 7), contexts[i] >> 3);
     };
     for (std::uint32_t i = 0;; ++i) {
-      for (const std::uint32_t next = std::min(answers.next_symbol(), faces); i < next; ++i)
+      for (const std::uint32_t next = std::min(events.next_symbol(), faces); i < next; ++i)
         put_at(i);
       if (i == faces) break;
-      answers.symbol_begins();
+      events.symbol_begins();
       put_at(i);
-      answers.write_after(i);
+      events.write_after(i);
     }
   };
-  const auto tell_with = [&](auto symbols) {
+  const auto encode_with = [&](auto symbols) {
     if (!symbols.ok()) throw std::bad_alloc();
-    stream.reserve(faces + 4 * record.events.size());
-    tell_all([&](Clers symbol, std::uint32_t kx) { stream.put(symbols.encode(symbol, kx)); });
+    stream.reserve(faces + 4 * script.events.size());
+    put_all([&](Clers symbol, std::uint32_t kx) { stream.put(symbols.encode(symbol, kx)); });
   };
   switch (model.kind) {
-    case SymbolModel::Kind::single: tell_with(SingleModel(model.history)); break;
+    case SymbolModel::Kind::single: encode_with(SingleModel(model.history)); break;
     case SymbolModel::Kind::code: {
       SymbolWriter symbols(faces);
-      tell_all([&](Clers symbol, std::uint32_t) { symbols.put(symbol); });
+      put_all([&](Clers symbol, std::uint32_t) { symbols.put(symbol); });
       const Bytes code = symbols.finish();
-      put_varint(told.bytes, code.size());
-      put_bytes(told.bytes, code);
+      put_varint(coded.bytes, code.size());
+      put_bytes(coded.bytes, code);
       break;
     }
     default:
-      tell_with(PairModel(model.history, model.kind == SymbolModel::Kind::quick_pair));
+      encode_with(PairModel(model.history, model.kind == SymbolModel::Kind::quick_pair));
       break;
   }
-  finish(answers);
+  finish(events);
   if (model.kind == SymbolModel::Kind::code)  // the symbols S, 4 bits each
-    told.special_cost += 4 * 256 * (told.holes + 2 * told.handles);
-  return told;
+    coded.special_cost += 4 * 256 * (coded.holes + 2 * coded.handles);
+  return coded;
 }
 
-/// Tells with the model of a level, or of a lower one where that takes fewer bytes: the more a
+/// Encodes with the model of a level, or of a lower one where that takes fewer bytes: the more a
 /// model has to learn, the less it pays where there is little to learn from, or little to say. So
 /// no level is larger than those below. To look costs half as much again, and is done where it may
 /// matter.
-CodedSymbols encode_briefly(const DecodeScript& record, int level, std::size_t ids) {
+CodedSymbols encode_briefly(const DecodeScript& script, int level, std::size_t ids) {
   using Kind = SymbolModel::Kind;
-  const SymbolModel model = choose_model(record.contexts, level);
-  CodedSymbols told = encode_symbols(model, record, ids);
-  const std::size_t size = told.bytes.size();
+  const SymbolModel model = choose_model(script.contexts, level);
+  CodedSymbols coded = encode_symbols(model, script, ids);
+  const std::size_t size = coded.bytes.size();
   const bool little =
-      size > 96 && size < std::min<std::size_t>(512, record.contexts.size() * 3 / 64);
+      size > 96 && size < std::min<std::size_t>(512, script.contexts.size() * 3 / 64);
   if (model.kind == Kind::mixing || (level >= 5 && little)) {
-    CodedSymbols simpler = encode_briefly(record, model.kind == Kind::mixing ? 5 : 3, ids);
-    if (simpler.bytes.size() < told.bytes.size()) return simpler;
+    CodedSymbols simpler = encode_briefly(script, model.kind == Kind::mixing ? 5 : 3, ids);
+    if (simpler.bytes.size() < coded.bytes.size()) return simpler;
   }
-  return told;
+  return coded;
 }
 
 void put_header(Bytes& out, std::uint32_t faces, std::uint32_t vertices, std::uint32_t merges,
@@ -249,26 +249,26 @@ Expected<EncodedConnectivity> encode(SurfaceArrays surface, int level, bool with
       return fail(ErrorCode::internal, "the fast operators and the full surface do not agree");
     if (trace) *trace = std::move(witness.trace);
   }
-  DecodeScript record = script_of(traversal);
-  if (built && !agree(record, *built))
-    return fail(ErrorCode::internal, "the record is not that of the surface built again");
+  DecodeScript script = script_of(traversal);
+  if (built && !agree(script, *built))
+    return fail(ErrorCode::internal, "the script is not that of the surface built again");
 
-  result.counts.symbols = record.symbols;
-  const auto count = [&](Clers symbol) { return record.symbols[static_cast<unsigned>(symbol)]; };
+  result.counts.symbols = script.symbols;
+  const auto count = [&](Clers symbol) { return script.symbols[static_cast<unsigned>(symbol)]; };
   const auto ids =
       static_cast<std::size_t>(count(Clers::R) + count(Clers::L) + 3 * count(Clers::E));
 
-  const CodedSymbols told = encode_briefly(record, level, ids);
-  put_header(result.bytes, faces, static_cast<std::uint32_t>(record.vertices.size()),
-             static_cast<std::uint32_t>(count(Clers::S)), told.model);
-  put_bytes(result.bytes, told.bytes);
-  result.special_cost = told.special_cost;
+  const CodedSymbols coded = encode_briefly(script, level, ids);
+  put_header(result.bytes, faces, static_cast<std::uint32_t>(script.vertices.size()),
+             static_cast<std::uint32_t>(count(Clers::S)), coded.model);
+  put_bytes(result.bytes, coded.bytes);
+  result.special_cost = coded.special_cost;
   result.counts.components = traversal.starts.size();
-  result.counts.handles = told.handles;
-  result.counts.coded_holes = told.holes;
-  result.counts.boundary_curves = told.holes + traversal.starts.size() - told.closed_components;
+  result.counts.handles = coded.handles;
+  result.counts.coded_holes = coded.holes;
+  result.counts.boundary_curves = coded.holes + traversal.starts.size() - coded.closed_components;
 
-  result.vertices = std::move(record.vertices);
+  result.vertices = std::move(script.vertices);
   result.gates = std::move(traversal.gates);
   return result;
 }

@@ -18,8 +18,8 @@ class Recording {
     const std::vector<std::uint8_t>& contexts = traversal_.contexts;
     const std::uint32_t faces = static_cast<std::uint32_t>(contexts.size());
     if (faces == 0) return {};
-    // Most symbols are C, R and L. They are counted, C below and R above, without a branch that
-    // tells them apart: it would be mispredicted.
+    // Most symbols are C, R and L. They are counted, C below and R above, without a branch on
+    // which it is: it would be mispredicted.
     static constexpr std::uint64_t one[8] = {1, std::uint64_t(1) << 32};
     std::uint64_t counts = 0;
     for (std::uint32_t i = 1; i < faces; ++i) {
@@ -39,11 +39,11 @@ class Recording {
     go_on(faces, closings);
     end_component(faces - 1);
     const std::uint32_t rights = static_cast<std::uint32_t>(counts >> 32);
-    record_.symbols = {closings, rights, symbols_ - closings - rights,
+    script_.symbols = {closings, rights, symbols_ - closings - rights,
                        faces - 1 - symbols_ - begun_, 1 + begun_};
-    record_.contexts = std::move(traversal_.contexts);
-    record_.vertices = std::move(traversal_.vertices);
-    return std::move(record_);
+    script_.contexts = std::move(traversal_.contexts);
+    script_.vertices = std::move(traversal_.vertices);
+    return std::move(script_);
   }
 
  private:
@@ -62,7 +62,7 @@ class Recording {
     if (aside_.empty()) {
       // Symbols come last to first: a component ends where the one decoded before it started.
       ends = traversal_.starts[next_start_ - 1].index == index + 1;
-      record_.events.push_back({symbol, Event::Kind::new_component, ends, length_ == 2});
+      script_.events.push_back({symbol, Event::Kind::new_component, ends, length_ == 2});
     }
     if (ends)
       end_component(symbol);
@@ -74,18 +74,18 @@ class Recording {
   void end_component(std::uint32_t symbol) {
     --next_start_;
     if (length_ == 2)
-      record_.events.push_back(
+      script_.events.push_back(
           {symbol, Event::Kind::closed, traversal_.starts[next_start_].closed});
   }
 
   void join_to_aside(std::uint32_t symbol) {
-    record_.events.push_back({symbol, Event::Kind::special, false});
+    script_.events.push_back({symbol, Event::Kind::special, false});
     length_ += aside_.back() - 1;
     aside_.pop_back();
   }
 
   void special(std::uint32_t symbol) {
-    if (!aside_.empty()) record_.events.push_back({symbol, Event::Kind::special, true});
+    if (!aside_.empty()) script_.events.push_back({symbol, Event::Kind::special, true});
     const Traversal::Special& s = traversal_.specials[--next_special_];
     Event e{symbol, Event::Kind::hole};
     e.distance = s.distance;
@@ -98,11 +98,11 @@ class Recording {
       if (s.kind == SpecialS::split) e.kind = Event::Kind::split;
       length_ -= 1 + s.distance;
     }
-    record_.events.push_back(e);
+    script_.events.push_back(e);
   }
 
   Traversal& traversal_;
-  DecodeScript record_;
+  DecodeScript script_;
   std::size_t next_start_, next_special_;
   std::vector<std::uint32_t> aside_;          ///< lengths of the curves whose gates are put aside
   std::uint32_t length_ = 3;                  ///< of the gate's curve

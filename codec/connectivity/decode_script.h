@@ -1,4 +1,5 @@
-// What a decoder will have to be told to build a surface that Edgebreaker has unbuilt.
+// What the stream says, symbols and events, for a decoder to build a surface that Edgebreaker has
+// unbuilt.
 #ifndef CLERS_CODEC_CONNECTIVITY_DECODE_SCRIPT_H
 #define CLERS_CODEC_CONNECTIVITY_DECODE_SCRIPT_H
 
@@ -10,7 +11,7 @@
 
 namespace clers::internal {
 
-/// What is told besides a symbol, in the order of decoding.
+/// What the stream carries besides symbols, in the order of decoding.
 struct Event {
   enum class Kind : std::uint8_t { new_component, closed, special, hole, split, join };
   std::uint32_t symbol;  ///< comes after this one, counted in the order of decoding
@@ -25,7 +26,7 @@ struct Event {
   bool operator==(const Event&) const = default;
 };
 
-/// What a decoder will have to be told, and what it will know then.
+/// What the stream carries, and what a decoder will know then.
 struct DecodeScript {
   std::vector<std::uint8_t> contexts;  ///< valence << 3 | symbol, in the order of decoding
   std::vector<Event> events;
@@ -33,7 +34,7 @@ struct DecodeScript {
   std::vector<std::uint32_t> vertices;        ///< vertices[new] = old
 };
 
-/// The record of a traversal with its handles placed (place_handles.h), whose contexts and vertices
+/// The script of a traversal with its handles placed (place_handles.h), whose contexts and vertices
 /// move into it. Cost: linear.
 DecodeScript script_of(Traversal& traversal);
 

@@ -1,4 +1,4 @@
-// What is rare among the symbols: components, holes, handles. format.md, Events. Each is written
+// What is rare among the symbols: components, holes, handles. format.md, Answers. Each is written
 // once, for a Coder of either direction (entropy/coder.h).
 #ifndef CLERS_CODEC_CONNECTIVITY_EVENT_MODEL_H
 #define CLERS_CODEC_CONNECTIVITY_EVENT_MODEL_H
@@ -11,7 +11,7 @@
 
 namespace clers::internal {
 
-/// What is coded at the places in the symbol string where something other than a symbol is told.
+/// What is coded at the places in the symbol string where more than a symbol is needed.
 class EventModel {
  public:
   /// At an E with no gate put aside: is it the first triangle of another component? Depends on

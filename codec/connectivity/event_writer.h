@@ -1,4 +1,4 @@
-// Answers to what a decoder asks besides symbols, told to a stream.
+// Writes to a stream the answers to what a decoder asks besides symbols.
 #ifndef CLERS_CODEC_CONNECTIVITY_EVENT_WRITER_H
 #define CLERS_CODEC_CONNECTIVITY_EVENT_WRITER_H
 
@@ -13,7 +13,7 @@
 
 namespace clers::internal {
 
-/// The answers that a decoder will need, in the order in which it asks, told to a stream.
+/// Writes the answers that a decoder will need, in the order in which it asks.
 class EventWriter {
   const Event& event() const { return events_[next_]; }
 
@@ -31,7 +31,7 @@ class EventWriter {
   EventWriter(const std::vector<Event>& events, rans::Encoder& out)
       : events_(events), coder_(out), out_(out) {}
 
-  /// The next symbol is about to be told.
+  /// The next symbol is about to be written.
   void symbol_begins() { symbol_begin_ = out_.intervals().size(); }
 
   /// All that come after a symbol.

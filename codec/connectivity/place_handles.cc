@@ -13,7 +13,7 @@
 namespace clers::internal {
 namespace {
 
-/// Answers the driver's questions from a traversal, and finds out where its handles lie; and
+/// Answers the driver's questions from a traversal, and finds out where its handles are; and
 /// valences, if they are wanted.
 template <bool valences>
 class PlacingSource {

@@ -1,4 +1,4 @@
-// What only a decoder's view of the surface shows: where the ends of handles lie that Edgebreaker
+// What only a decoder's view of the surface shows: where the ends of handles are that Edgebreaker
 // found, and the valences where it walked over polygons.
 #ifndef CLERS_CODEC_CONNECTIVITY_PLACE_HANDLES_H
 #define CLERS_CODEC_CONNECTIVITY_PLACE_HANDLES_H

@@ -9,8 +9,8 @@
 namespace clers::internal {
 namespace {
 
-/// Answers the driver's questions from a traversal, and writes down what a decoder will have to be
-/// told in which context.
+/// Answers the driver's questions from a traversal, and writes down what the stream must carry,
+/// and in which context.
 class RecordingSource {
  public:
   static constexpr bool knows_vertices = true;
@@ -20,7 +20,7 @@ class RecordingSource {
         building_(building),
         faces_(static_cast<std::uint32_t>(traversal.gates.size())),
         index_(faces_) {
-    record.contexts.resize(faces_);
+    script.contexts.resize(faces_);
     next_start_ = traversal.starts.size();
     next_special_ = traversal.specials.size();
     if (!traversal.specials.empty()) {
@@ -41,12 +41,12 @@ class RecordingSource {
   bool new_component(bool two_edges) {
     // Symbols come last to first: a component ends where the one decoded before it started.
     const bool value = traversal_.starts[next_start_ - 1].index == index_ + 1;
-    record.events.push_back({done(), Event::Kind::new_component, value, two_edges});
+    script.events.push_back({done(), Event::Kind::new_component, value, two_edges});
     return value;
   }
   bool closed() {
     const bool value = traversal_.starts[next_start_ - 1].closed;
-    record.events.push_back({done(), Event::Kind::closed, value});
+    script.events.push_back({done(), Event::Kind::closed, value});
     return value;
   }
   void component_ended() { --next_start_; }
@@ -55,8 +55,8 @@ class RecordingSource {
     holes.clear();
     for (const Waiting& w : waiting_) {
       holes.push_back(w.vertex);
-      record.events[w.event].kind = Event::Kind::hole;
-      record.events[w.event].length = 0;
+      script.events[w.event].kind = Event::Kind::hole;
+      script.events[w.event].length = 0;
     }
     waiting_.clear();
     return true;
@@ -64,7 +64,7 @@ class RecordingSource {
 
   bool special() {
     const bool value = is_special();
-    record.events.push_back({done(), Event::Kind::special, value});
+    script.events.push_back({done(), Event::Kind::special, value});
     return value;
   }
 
@@ -81,7 +81,7 @@ class RecordingSource {
       for (std::uint32_t v = links[q].prev; v != q; v = links[v].prev) ++e.length;
       waiting_.erase(waiting_.begin() + static_cast<std::ptrdiff_t>(w));
       curves_.push_back(curve);
-      record.events.push_back(e);
+      script.events.push_back(e);
       return {true, SpecialS::join, q};
     }
     const std::uint32_t number = ++split_off_;
@@ -94,9 +94,9 @@ class RecordingSource {
     }
     e.length = 2;  // edges: x to y backwards, and the gate
     for (std::uint32_t v = links[x].prev; v != y; v = links[v].prev) ++e.length;
-    waiting_.push_back({number, q, record.events.size()});
+    waiting_.push_back({number, q, script.events.size()});
     curves_.push_back(number);
-    record.events.push_back(e);
+    script.events.push_back(e);
     return {true, SpecialS::split, q};
   }
 
@@ -104,7 +104,7 @@ class RecordingSource {
   void tell_recency() {
     std::vector<std::uint32_t> waiting;
     std::size_t next = 0;
-    for (Event& e : record.events) {
+    for (Event& e : script.events) {
       if (e.kind < Event::Kind::hole) continue;
       const std::uint32_t curve = curves_[next++];
       if (e.kind == Event::Kind::split) waiting.push_back(curve);
@@ -115,12 +115,12 @@ class RecordingSource {
     }
   }
 
-  DecodeScript record;
+  DecodeScript script;
 
  private:
   void step(std::uint32_t kx) {
     --index_;
-    record.contexts[done()] =
+    script.contexts[done()] =
         static_cast<std::uint8_t>(std::min(kx, Traversal::max_valence) << 3 |
                                   static_cast<unsigned>(traversal_.symbol(index_)));
   }
@@ -172,7 +172,7 @@ std::optional<DecodeScript> replayed_script(std::span<const std::uint32_t> org,
   if (breakage.broken != StreamFault::none) return std::nullopt;
 
   resolve_merges(building);
-  std::vector<std::uint32_t>& vertices = source.record.vertices;
+  std::vector<std::uint32_t>& vertices = source.script.vertices;
   vertices.resize(building.finished);
   std::uint32_t id = 0;
   const auto number = [&](HalfEdge corner) {
@@ -191,7 +191,7 @@ std::optional<DecodeScript> replayed_script(std::span<const std::uint32_t> org,
     numbered[v] = true;
   }
   source.tell_recency();
-  return std::move(source.record);
+  return std::move(source.script);
 }
 
 }  // namespace clers::internal

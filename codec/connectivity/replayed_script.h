@@ -1,5 +1,5 @@
-// The record of a traversal once more, from the operators themselves: the slow and obvious way,
-// which the full surface of mirror.h and record.h are held against.
+// The script of a traversal once more, from the operators themselves: the slow and obvious way,
+// which the full surface of mirror.h and decode_script.h are held against.
 #ifndef CLERS_CODEC_CONNECTIVITY_REPLAYED_SCRIPT_H
 #define CLERS_CODEC_CONNECTIVITY_REPLAYED_SCRIPT_H
 

@@ -61,7 +61,7 @@ struct SpecialVertex {
   std::uint32_t q = 0;  ///< end of the edge
 };
 
-/// Valence in links of vertices that were merged away, for who must tell them from others.
+/// Valence in links of vertices that were merged away, for those who must distinguish them.
 inline constexpr std::uint32_t merged_away = 0xffffffffu;
 
 /// Runs the string that `source` gives. A Source answers the questions of codec/format.md:

@@ -20,7 +20,7 @@
 
 namespace clers::internal {
 
-/// The decoder's side of codec/format.md, "Symbols" and "Events".
+/// The decoder's side of codec/format.md, "Symbols" and "Answers".
 template <class Model>
 class StreamSource {
  public:

@@ -50,7 +50,7 @@ inline Expected<Bytes> unpack_frame(std::span<const std::byte> packed, std::uint
   return out;
 }
 
-/// Whether bytes are one zstd frame that can hold `size` bytes, as far as it can be told without
+/// Whether bytes are one zstd frame that can hold `size` bytes, as far as can be seen without
 /// unpacking it. `at` is their offset in the file, `what` names them for errors: invalid.
 inline Expected<Done> check_frame(std::span<const std::byte> packed, std::uint64_t at,
                                   std::uint64_t size, const std::string& what) {

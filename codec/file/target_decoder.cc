@@ -113,7 +113,8 @@ Expected<Done> check_triangles(const Mesh& mesh, const MeshTarget& target) {
   return refused("not all faces are triangles, expected memory for face sizes");
 }
 
-/// Runs `decode(piece, index, workers inside)` on all pieces, which take `work` bytes each.
+/// Calls decode(k) for all pieces, several at a time as far as the budget allows; piece k takes
+/// work[k] bytes. The first error, in the order of the pieces.
 template <class Decode>
 Expected<Done> for_each_piece(const MeshSections& mesh, std::vector<std::uint64_t> work,
                               const DecodeOptions& options, Budget& budget, Decode decode) {

@@ -80,7 +80,7 @@ class Tree {
  private:
   struct Node {
     std::uint32_t axis = 0;
-    std::uint32_t most = 0;      ///< what lies at most here goes left
+    std::uint32_t most = 0;      ///< what is at most here goes left
     std::uint32_t next[2] = {};  ///< left, right
     std::uint32_t leaf = 0;      ///< of a leaf: its number
   };

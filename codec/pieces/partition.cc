@@ -71,7 +71,7 @@ Patches patches_of(const SpatialKeys& places, const Faces& faces,
   }
 
   // Nodes are numbered by cell, and there by their least vertices: whatever the order of vertices
-  // is. Where those lie at one place, they are one node.
+  // is. Where those are at one place, they are one node.
   Patches result;
   std::vector<std::uint32_t>& node = result.node;
   node = std::move(vertices).all();

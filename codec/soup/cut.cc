@@ -286,7 +286,7 @@ class Cutter {
     return best;
   }
 
-  /// Zips (CAGD 2010, §5.1.1) what lies side by side on the boundary, at crowded edges: this closes
+  /// Zips (CAGD 2010, §5.1.1) what is side by side on the boundary, at crowded edges: this closes
   /// a fan and makes no handle.
   void zip() {
     constexpr unsigned patience = 64;

@@ -33,7 +33,7 @@ enum class Fans { at_defects, all };
 /// regions meet along an edge in the same direction one of them is reversed; where that contradicts
 /// itself the surface has no orientation and is cut. Where more than two faces meet, two are glued
 /// if that joins two surfaces without reversing one, best if they are not on the same vertices, or
-/// if it zips what lies side by side; never if it made a handle. Of the regions of a component the
+/// if it zips what is side by side; never if it made a handle. Of the regions of a component the
 /// fewer faces are reversed. What remains apart at a vertex becomes several surface vertices.
 ///
 /// Vertices that are no fan are found where a boundary or a defective edge shows them; those at
