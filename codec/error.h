@@ -18,7 +18,8 @@ enum class ErrorCode : std::uint16_t {
   degenerate_face = 3,     ///< a face that uses a vertex twice, or has fewer than three corners
   nonmanifold_edge = 4,    ///< an edge of more than two faces
   nonmanifold_vertex = 5,  ///< a vertex whose faces form more than one fan
-  nonorientable = 6,       ///< a component that has no consistent orientation
+  nonorientable = 6,       ///< an edge that two faces run along the same way: one is reversed, or
+                           ///< their component has no consistent orientation
   too_large = 7,           ///< more elements than ids
   bad_option = 8,          ///< an option out of its range, memory of another size than needed, or
                            ///< an index of what is not there

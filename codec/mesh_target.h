@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <ranges>
 #include <span>
 #include <string_view>
 #include <type_traits>
@@ -59,11 +60,24 @@ AttributeTarget attribute_target(std::string_view name,
 
 /// Packed scalars, so many a value: attribute_target("position", coordinates, 3).
 template <class Scalars>
-requires std::is_arithmetic_v<typename Scalars::value_type> AttributeTarget
-attribute_target(std::string_view name, Scalars& scalars, std::uint8_t components,
-                 Domain domain = Domain::vertex) {
-  using T = typename Scalars::value_type;
-  return {name, domain, scalar_of<T>(), components, std::as_writable_bytes(std::span<T>(scalars)),
+requires std::is_arithmetic_v<ElementOf<Scalars>> && std::ranges::borrowed_range<Scalars>
+    AttributeTarget attribute_target(std::string_view name, Scalars&& scalars,
+                                     std::uint8_t components, Domain domain = Domain::vertex) {
+  return {name,
+          domain,
+          scalar_of<ElementOf<Scalars>>(),
+          components,
+          std::as_writable_bytes(std::span(scalars)),
+          0};
+}
+
+/// Packed values: attribute_target("position", positions) of a std::vector<std::array<float, 3>>.
+template <class Values>
+requires std::ranges::borrowed_range<Values> AttributeTarget
+attribute_target(std::string_view name, Values&& values, Domain domain = Domain::vertex) {
+  using Type = ValueType<ElementOf<Values>>;
+  static_assert(sizeof(ElementOf<Values>) == size_of(Type::scalar) * Type::components);
+  return {name, domain, Type::scalar, Type::components, std::as_writable_bytes(std::span(values)),
           0};
 }
 

@@ -10,6 +10,7 @@
 #include <span>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include <clers/mesh.h>
 #include <clers/topology/export.h>
@@ -126,7 +127,11 @@ inline Mesh::operator MeshView() const {
   return {vertex_count, corners, {}, face_sizes, attributes, name, metadata};
 }
 
-/// What a value of a C++ type is made of: float, float[3] or std::array<float, 3>.
+/// What a value of a C++ type is made of: float, float[3] or std::array<float, 3>. Specialize it
+/// for a vector type of your own, whose size must be that of its scalars:
+///
+///     template <>
+///     struct clers::ValueType<Vec3> : clers::ValueType<float[3]> {};
 template <class T>
 struct ValueType {
   static constexpr Scalar scalar = scalar_of<T>();
@@ -154,13 +159,31 @@ AttributeView attribute_view(std::string_view name,
   return view;
 }
 
+/// What a contiguous range holds.
+template <class Range>
+using ElementOf =
+    std::remove_cv_t<typename decltype(std::span(std::declval<Range&>()))::element_type>;
+
 /// Packed scalars, so many a value: attribute_view("position", coordinates, 3).
 template <class Scalars>
-requires std::is_arithmetic_v<typename Scalars::value_type> AttributeView
+requires std::is_arithmetic_v<ElementOf<const Scalars>> AttributeView
 attribute_view(std::string_view name, const Scalars& scalars, std::uint8_t components,
                Domain domain = Domain::vertex) {
-  using T = typename Scalars::value_type;
-  return {name, domain, scalar_of<T>(), components, std::as_bytes(std::span<const T>(scalars)), 0};
+  return {name,
+          domain,
+          scalar_of<ElementOf<const Scalars>>(),
+          components,
+          std::as_bytes(std::span(scalars)),
+          0};
+}
+
+/// Packed values: attribute_view("position", positions) of a std::vector<std::array<float, 3>>.
+template <class Values>
+AttributeView attribute_view(std::string_view name, const Values& values,
+                             Domain domain = Domain::vertex) {
+  using Type = ValueType<ElementOf<const Values>>;
+  static_assert(sizeof(ElementOf<const Values>) == size_of(Type::scalar) * Type::components);
+  return {name, domain, Type::scalar, Type::components, std::as_bytes(std::span(values)), 0};
 }
 
 }  // namespace clers

@@ -13,9 +13,10 @@
 namespace CLERS_VISIBLE clers {
 
 /// The surface of a mesh of triangles: Vertex(i), Face(i) and HalfEdge(i) are vertex, face and
-/// corner i of the mesh, so that its arrays of values can be indexed by them. Vertices that no face
-/// uses are none of the surface. Nothing is changed silently: a mesh that is no oriented manifold
-/// is refused, and so is a polygon, which can be triangulated in more than one way.
+/// corner i of the mesh, so that its arrays of values can be indexed by them. A vertex that no face
+/// uses has no part in a surface: its id is free, and the next vertex that is made takes it. A mesh
+/// that is no oriented manifold is refused, and so is a polygon, which can be triangulated in more
+/// than one way.
 ///
 /// Errors: unsupported (the first face that is no triangle), degenerate_face (the first that uses a
 /// vertex twice), nonmanifold_edge and nonorientable (the first face that keeps its edges from
@@ -35,8 +36,11 @@ struct MeshOfSurface {
 /// corner 0. Vertices that share a point, as where a surface was cut, stay apart.
 ///
 /// `attributes` have values for all ids: surface.vertex_limit() of vertices, face_limit() of faces,
-/// 3 * face_limit() of corners. Those of live elements are copied. So what is kept beside a surface
-/// while it is edited, indexed by Vertex or Face, becomes an attribute.
+/// 3 * face_limit() of corners. Those of live elements are copied. They must have followed the
+/// edits: VertexData and FaceData (<clers/topology/element_data.h>) do, and are attributes by
+/// attribute_view(name, data.values()). Arrays that did not follow fit only while no operator has
+/// made, moved or deleted an element of theirs. Values of corners never follow by themselves: a
+/// flip leaves ids and moves corners, and an observer (<clers/topology/follow.h>) says which.
 ///
 /// Errors: inconsistent_mesh (as of encode), out_of_memory. Thread safe. Cost: linear.
 Expected<MeshOfSurface> to_mesh(const Surface& surface, const AttributeViews& attributes = {});

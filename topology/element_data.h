@@ -30,8 +30,9 @@ namespace CLERS_VISIBLE clers {
 ///                  halves of a split edge   that of the whole edge's side
 ///                  a welded edge            that of its half at the origin of Welded::at
 ///
-/// Values that depend on where elements are made, such as positions, are set afterwards, or by an
-/// observer (follow.h). The value of a dead id is unspecified.
+/// A half-edge is a side of a face, not a corner: of values by corner `Change::slots` says what
+/// moved. Values that depend on where elements are made, such as positions, are set afterwards, or
+/// by an observer (follow.h). The value of a dead id is unspecified.
 ///
 /// Cost: that of one virtual call for every element made or moved; a surface without containers
 /// pays a comparison. Memory: a T for each id below the limit. Attaching a container is an edit of

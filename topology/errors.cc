@@ -1,5 +1,7 @@
 #include "topology/errors.h"
 
+#include "topology/ids.h"
+
 namespace CLERS_VISIBLE clers {
 namespace {
 
@@ -78,9 +80,11 @@ const char* name(FaceRule r) {
 }
 
 std::string describe(const Violation& v) {
-  return std::string(name(v.precondition)) + " does not hold at " +
-         precondition_texts[static_cast<unsigned>(v.precondition)].element + " " +
-         std::to_string(v.element);
+  const char* const element = precondition_texts[static_cast<unsigned>(v.precondition)].element;
+  const std::string at = v.element == HalfEdge::null_index
+                             ? std::string("a null ") + element
+                             : std::string(element) + " " + std::to_string(v.element);
+  return std::string(name(v.precondition)) + " does not hold at " + at;
 }
 
 std::string describe(const Fault& f) {

@@ -13,6 +13,15 @@
 #include "codec/test/golden_cases.h"
 #include "corpus/generate.h"
 
+namespace {
+/// As libraries of linear algebra have it.
+struct Vec3 {
+  float x, y, z;
+};
+}  // namespace
+template <>
+struct clers::ValueType<Vec3> : clers::ValueType<float[3]> {};
+
 namespace clers::internal {
 namespace {
 
@@ -64,6 +73,27 @@ TEST(MeshView, EncodesAsTheMeshDoes) {
       EXPECT_EQ(one->bytes, expected->bytes);
     }
   }
+}
+
+TEST(MeshView, NamesValuesOfEveryShape) {
+  const std::vector<std::array<float, 3>> arrays = {{1, 2, 3}, {4, 5, 6}};
+  const std::vector<Vec3> vectors = {{1, 2, 3}, {4, 5, 6}};
+  const float scalars[] = {1, 2, 3, 4, 5, 6};
+  for (const AttributeView& a :
+       {attribute_view("position", arrays), attribute_view("position", vectors),
+        attribute_view("position", scalars, 3)}) {
+    EXPECT_EQ(a.scalar, Scalar::float32);
+    EXPECT_EQ(a.components, 3);
+    EXPECT_EQ(a.data.size(), sizeof scalars);
+    EXPECT_EQ(std::memcmp(a.data.data(), scalars, sizeof scalars), 0);
+  }
+  const AttributeView labels = attribute_view("label", std::vector<std::int16_t>(2), Domain::face);
+  EXPECT_EQ(labels.scalar, Scalar::int16);
+  EXPECT_EQ(labels.domain, Domain::face);
+
+  std::vector<Vec3> to(2);
+  EXPECT_EQ(attribute_target("position", to).components, 3);
+  EXPECT_EQ(attribute_target("position", std::span(to)).data.size(), sizeof scalars);
 }
 
 TEST(MeshView, OfAMeshIsTheMesh) {
