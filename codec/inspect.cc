@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "codec/base/guarded.h"
+#include "codec/base/in_mesh.h"
 #include "codec/file/mesh_decoder.h"
 #include "codec/file/open_file.h"
 #include "codec/soup/measure.h"

@@ -4,8 +4,8 @@
 #include <atomic>
 #include <utility>
 
+#include "codec/base/in_mesh.h"
 #include "codec/base/parallel.h"
-#include "codec/file/open_file.h"
 
 namespace clers::internal {
 namespace {
