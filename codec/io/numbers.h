@@ -2,7 +2,6 @@
 #ifndef CLERS_CODEC_IO_NUMBERS_H
 #define CLERS_CODEC_IO_NUMBERS_H
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -51,7 +50,7 @@ void print_untyped(Output& out, const Attribute& attribute, std::size_t index);
 Attribute of_255ths(Attribute colors);
 Attribute as_255ths(const Attribute& bytes);
 
-/// NaNs whose bits a text cannot tell.
+/// NaNs whose bits a text cannot hold.
 std::size_t count_lost_nans(const Attribute& attribute);
 
 }  // namespace clers::io

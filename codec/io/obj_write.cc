@@ -1,4 +1,3 @@
-#include <array>
 #include <cstring>
 
 #include "codec/io/formats.h"
