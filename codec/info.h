@@ -3,7 +3,6 @@
 #define CLERS_CODEC_INFO_H
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -1,7 +1,6 @@
 #include "codec/attributes/attribute_encoder.h"
 
 #include <array>
-#include <cstring>
 #include <utility>
 #include <vector>
 

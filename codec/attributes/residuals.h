@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <span>
-#include <utility>
 
 #include "codec/attributes/transform.h"
 #include "codec/entropy/bytes.h"

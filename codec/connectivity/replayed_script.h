@@ -3,7 +3,6 @@
 #ifndef CLERS_CODEC_CONNECTIVITY_REPLAYED_SCRIPT_H
 #define CLERS_CODEC_CONNECTIVITY_REPLAYED_SCRIPT_H
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>

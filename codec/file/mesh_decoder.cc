@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
-#include <string>
 #include <utility>
 
 #include "codec/base/budget.h"

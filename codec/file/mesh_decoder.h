@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "codec/connectivity/connectivity.h"
 #include "codec/error.h"

@@ -4,7 +4,6 @@
 #define CLERS_CODEC_FILE_MESH_ENCODER_H
 
 #include <functional>
-#include <span>
 #include <string_view>
 #include <vector>
 

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <string>
-#include <vector>
 
 #include "codec/mesh.h"
 #include "topology/modeling/geometry.h"
