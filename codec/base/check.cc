@@ -18,18 +18,6 @@ std::size_t face_of_corner(const MeshView& mesh, std::size_t h) {
 
 }  // namespace
 
-std::string kind_defect(const AttributeView& a) {
-  const auto out_of_range = [](const char* what, unsigned value, unsigned first, unsigned last) {
-    return std::string(what) + " " + std::to_string(value) + ", expected " + std::to_string(first) +
-           " to " + std::to_string(last);
-  };
-  const unsigned domain = static_cast<unsigned>(a.domain), scalar = static_cast<unsigned>(a.scalar);
-  if (domain >= domain_count) return out_of_range("domain", domain, 0, domain_count - 1);
-  if (scalar >= scalar_count) return out_of_range("scalar", scalar, 0, scalar_count - 1);
-  if (a.components == 0) return "0 components, expected 1 to 255";
-  return {};
-}
-
 bool holds_values(std::uint64_t bytes, std::uint64_t count, std::uint64_t size,
                   std::uint64_t stride) {
   if (count == 0) return bytes == 0;

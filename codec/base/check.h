@@ -5,16 +5,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 
+#include "codec/base/kind_defect.h"
 #include "codec/error.h"
 #include "codec/mesh_view.h"
 
 namespace clers::internal {
-
-/// Says which of the numbers that describe an attribute is out of range ("domain 3, expected 0 to
-/// 2"); empty if none is. To be asked before value_size(), which relies on them.
-std::string kind_defect(const AttributeView& a);
 
 /// Whether so many bytes are those of `count` values of `size` bytes, `stride` apart: the last may
 /// be followed by the rest of its stride, or not. Precondition: 0 < size <= stride.

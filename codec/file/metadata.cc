@@ -1,4 +1,4 @@
-// One zstd frame of all entries.
+// Checks and reads metadata; what writes it is in the header, so that who decodes links none of it.
 #include "codec/file/metadata.h"
 
 #include <algorithm>
@@ -14,8 +14,6 @@ namespace {
 constexpr std::size_t longest_key = 255;
 /// The length of a key, a byte of it, and the length of a value.
 constexpr std::uint64_t least_entry = 3;
-/// Comments are short and few; more effort than this buys little.
-constexpr int zstd_level = 9;
 
 }  // namespace
 
@@ -31,23 +29,6 @@ std::string metadata_fault(std::span<const MetadataEntry> entries) {
   if (std::adjacent_find(keys.begin(), keys.end()) != keys.end())
     return "two entries of metadata have one key";
   return {};
-}
-
-Expected<Bytes> encode_metadata(std::span<const MetadataEntry> entries) {
-  Bytes plain;
-  for (const MetadataEntry& e : entries) {
-    put_u8(plain, static_cast<std::uint32_t>(e.key.size()));
-    put_bytes(plain, std::as_bytes(std::span(e.key)));
-    put_varint(plain, e.value.size());
-    put_bytes(plain, std::as_bytes(std::span(e.value)));
-  }
-  const auto packed = pack_frame(plain, zstd_level);
-  if (!packed) return packed;
-  Bytes payload;
-  put_varint(payload, entries.size());
-  put_varint(payload, plain.size());
-  put_bytes(payload, *packed);
-  return payload;
 }
 
 Expected<MetadataHeader> read_metadata_header(std::span<const std::byte> payload,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "codec/entropy/bytes.h"
+#include "codec/entropy/zstd_frame.h"
 #include "codec/error.h"
 #include "codec/mesh.h"
 
@@ -34,8 +35,25 @@ Expected<std::vector<MetadataEntry>> decode_metadata(const MetadataHeader& heade
 /// What keeps entries from being coded; empty if nothing does.
 std::string metadata_fault(std::span<const MetadataEntry> entries);
 
-/// Precondition: no metadata_fault. Throws std::bad_alloc; zstd failing is internal.
-Expected<Bytes> encode_metadata(std::span<const MetadataEntry> entries);
+/// One zstd frame of all entries. Precondition: no metadata_fault. Throws std::bad_alloc; zstd
+/// failing is internal.
+inline Expected<Bytes> encode_metadata(std::span<const MetadataEntry> entries) {
+  Bytes plain;
+  for (const MetadataEntry& e : entries) {
+    put_u8(plain, static_cast<std::uint32_t>(e.key.size()));
+    put_bytes(plain, std::as_bytes(std::span(e.key)));
+    put_varint(plain, e.value.size());
+    put_bytes(plain, std::as_bytes(std::span(e.value)));
+  }
+  // Comments are short and few; more effort than this buys little.
+  const auto packed = pack_frame(plain, 9);
+  if (!packed) return packed;
+  Bytes payload;
+  put_varint(payload, entries.size());
+  put_varint(payload, plain.size());
+  put_bytes(payload, *packed);
+  return payload;
+}
 
 }  // namespace clers::internal
 

@@ -4,8 +4,8 @@
 #include <cctype>
 #include <set>
 
-#include "codec/base/check.h"
 #include "codec/base/guarded.h"
+#include "codec/base/kind_defect.h"
 #include "codec/base/utf8.h"
 #include "codec/io/formats.h"
 #include "codec/io/numbers.h"
