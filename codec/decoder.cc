@@ -1,3 +1,4 @@
+// What was read once, and for each call a copy of the budget that is left.
 #include "codec/decoder.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Checks all meshes, makes one list of their pieces for threads, and joins what comes of them in
+// the order of the list.
 #include "codec/encode.h"
 
 #include <algorithm>

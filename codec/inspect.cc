@@ -1,3 +1,4 @@
+// Decodes the faces of a mesh at a time, and measures them.
 #include "codec/inspect.h"
 
 #include <algorithm>

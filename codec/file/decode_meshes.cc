@@ -1,3 +1,5 @@
+// All pieces of all meshes are one list, of which as many are decoded at a time as there is memory
+// for.
 #include "codec/file/decode_meshes.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Headers, and sums over them.
 #include "codec/file/open_file.h"
 
 #include <utility>

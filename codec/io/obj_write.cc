@@ -1,3 +1,4 @@
+// Writes OBJ.
 #include <cstring>
 
 #include "codec/io/formats.h"

@@ -1,3 +1,4 @@
+// Reads PLY.
 #include <algorithm>
 #include <cstring>
 #include <set>
