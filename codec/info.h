@@ -3,6 +3,7 @@
 #define CLERS_CODEC_INFO_H
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 
 #include "codec/attributes/transform.h"
 #include "codec/entropy/bytes.h"

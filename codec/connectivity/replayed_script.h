@@ -3,6 +3,7 @@
 #ifndef CLERS_CODEC_CONNECTIVITY_REPLAYED_SCRIPT_H
 #define CLERS_CODEC_CONNECTIVITY_REPLAYED_SCRIPT_H
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "codec/connectivity/connectivity.h"
 #include "codec/error.h"

@@ -4,6 +4,7 @@
 #define CLERS_CODEC_FILE_MESH_ENCODER_H
 
 #include <functional>
+#include <span>
 #include <string_view>
 #include <vector>
 

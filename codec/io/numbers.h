@@ -2,6 +2,7 @@
 #ifndef CLERS_CODEC_IO_NUMBERS_H
 #define CLERS_CODEC_IO_NUMBERS_H
 
+#include <cstdint>
 #include <string>
 #include <vector>
 

@@ -3,6 +3,7 @@
 #define CLERS_TOPOLOGY_MODELING_SQRT3_H
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include <clers/modeling/creases.h>

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "codec/mesh.h"
 #include "topology/modeling/geometry.h"
