@@ -14,7 +14,7 @@ install(FILES
   ${CMAKE_CURRENT_BINARY_DIR}/clers-config-version.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/clers)
 
-# Installed libraries look for each other beside themselves, and the program for them from where it lies:
+# Installed libraries look for each other beside themselves, and the program for them from where it is:
 # a tree with shared libraries runs from any prefix.
 if(NOT DEFINED CMAKE_INSTALL_RPATH)
   file(RELATIVE_PATH clers_to_libraries /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${CMAKE_INSTALL_LIBDIR})
@@ -37,7 +37,7 @@ if(BUILD_SHARED_LIBS)
 else()
   set(clers_pc_requires "Requires")
 endif()
-# The prefix is found from where the file lies: an installed tree can be moved, and `cmake --install
+# The prefix is found from where the file is: an installed tree can be moved, and `cmake --install
 # --prefix` may name another one than was configured.
 file(RELATIVE_PATH clers_pc_up /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
 string(REGEX REPLACE "/$" "" clers_pc_up ${clers_pc_up})

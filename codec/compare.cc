@@ -1,3 +1,17 @@
+// Two meshes are the same when a bijection of vertices carries the faces of one, as a multiset of
+// cycles, onto those of the other, and every value with them. Finding it is graph isomorphism;
+// meshes make it easy nearly always:
+//
+//   1. Colour the vertices by their values (compared_mesh.h). In most files positions differ, so
+//      every colour is alone in its class and the bijection is forced.
+//   2. Otherwise refine (refinement.h), until that is so or nothing more is learned.
+//   3. Where classes stay larger than one vertex, cut them finer than hashes did and single out one
+//      vertex after the other (equitable.h). Nearly always any of a class will do.
+//   4. Where one did not, pair off components that are isomorphic (pairing.h), which a search shows
+//      (isomorphism.h).
+//
+// Colours differ: no bijection exists. Equality is proved at the end, on the bits themselves
+// (renumbering.h).
 #include "codec/compare.h"
 
 #include <algorithm>
@@ -12,22 +26,6 @@
 #include "codec/comparison/pairing.h"
 #include "codec/comparison/refinement.h"
 #include "codec/comparison/renumbering.h"
-
-// Two meshes are the same when a bijection of vertices carries the faces of one, as a multiset of
-// cycles, onto those of the other, and every value with them. Finding it is graph isomorphism;
-// meshes make it easy nearly always:
-//
-//   1. Colour the vertices by their values (compared_mesh.h). In most files positions differ, so
-//   every
-//      colour is alone in its class and the bijection is forced.
-//   2. Otherwise refine (refinement.h), until that is so or nothing more is learned.
-//   3. Where classes stay larger than one vertex, cut them finer than hashes did and single out one
-//      vertex after the other (equitable.h). Nearly always any of a class will do.
-//   4. Where one did not, pair off components that are isomorphic (pairing.h), which a search shows
-//      (isomorphism.h).
-//
-// Colours differ: no bijection exists. Equality is proved at the end, on the bits themselves
-// (renumbering.h).
 
 namespace CLERS_VISIBLE clers {
 namespace {

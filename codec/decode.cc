@@ -1,3 +1,4 @@
+// A file opened for one call.
 #include "codec/decode.h"
 
 #include "codec/base/guarded.h"

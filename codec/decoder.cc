@@ -1,3 +1,4 @@
+// What was read once, and for each call a copy of the budget that is left.
 #include "codec/decoder.h"
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include <utility>
 
 #include "codec/base/guarded.h"
+#include "codec/base/in_mesh.h"
 #include "codec/file/decode_meshes.h"
 #include "codec/file/mesh_decoder.h"
 #include "codec/file/open_file.h"

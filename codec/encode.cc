@@ -1,12 +1,14 @@
+// Checks all meshes, makes one list of their pieces for threads, and joins what comes of them in
+// the order of the list.
 #include "codec/encode.h"
 
 #include <algorithm>
 #include <atomic>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
 #include "codec/base/guarded.h"
+#include "codec/base/in_mesh.h"
 #include "codec/base/parallel.h"
 #include "codec/base/wide_corners.h"
 #include "codec/file/container.h"
@@ -19,11 +21,6 @@ namespace CLERS_VISIBLE clers {
 namespace {
 
 using namespace internal;
-
-Failure<Error> in_mesh(Error error, std::size_t mesh, std::size_t meshes) {
-  if (meshes > 1) error.what += " (mesh " + std::to_string(mesh) + ")";
-  return {std::move(error)};
-}
 
 /// Faces of a piece; 0 where the mesh stays whole.
 std::uint32_t piece_faces(const MeshView& mesh, const EncodeOptions& options) {

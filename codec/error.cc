@@ -1,3 +1,4 @@
+// Names of codes, and errors as sentences.
 #include "codec/error.h"
 
 namespace CLERS_VISIBLE clers {

@@ -1,9 +1,11 @@
+// Decodes the faces of a mesh at a time, and measures them.
 #include "codec/inspect.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "codec/base/guarded.h"
+#include "codec/base/in_mesh.h"
 #include "codec/file/mesh_decoder.h"
 #include "codec/file/open_file.h"
 #include "codec/soup/measure.h"

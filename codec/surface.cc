@@ -1,3 +1,5 @@
+// Checks and twins first, so that Surface::from_twins has nothing left to refuse; back, a copy of
+// what is live.
 #include "codec/surface.h"
 
 #include <cstring>

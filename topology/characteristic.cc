@@ -1,3 +1,4 @@
+// Λ and its inverse (CAGD 2010, §5.1.3), and names.
 #include "topology/characteristic.h"
 
 namespace CLERS_VISIBLE clers {

@@ -1,3 +1,4 @@
+// Attach and detach, composed of handle operators (CAGD 2010, §6.4).
 #include "topology/derived.h"
 
 namespace CLERS_VISIBLE clers {

@@ -1,3 +1,4 @@
+// A surface as text, and as code to paste into a test.
 #include "topology/dump.h"
 
 #include <ostream>

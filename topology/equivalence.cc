@@ -1,3 +1,5 @@
+// Half-edges that may correspond are found by hashes of what is around them; walking shows which
+// do.
 #include "topology/equivalence.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Errors as sentences.
 #include "topology/errors.h"
 
 #include "topology/ids.h"

@@ -19,7 +19,7 @@ enum class Precondition : std::uint8_t {
   all_edges_on_boundary,  ///< no edge of the face is glued (destroy)
   ids_left,               ///< fewer than max_faces faces
   live_vertex,            ///< the vertex exists
-  two_faces,              ///< the edge lies between two different faces (flip, split)
+  two_faces,              ///< the edge is between two different faces (flip, split)
   simple_star,            ///< no face has two corners at the vertex (weld, remove)
   weld_degree,            ///< the vertex has as many edges as a weld needs (weld, remove)
   link_condition,         ///< the ends' links meet in the edge's link only (collapse)

@@ -1,3 +1,4 @@
+// Which slot of a star goes where, operator by operator.
 #include "topology/follow.h"
 
 namespace CLERS_VISIBLE clers {

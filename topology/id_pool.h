@@ -18,8 +18,9 @@ namespace clers {
 namespace CLERS_VISIBLE internal {
 
 /// Grows the capacity of `v` geometrically so that `extra` more elements fit without allocation.
+/// `inline` keeps it hidden in shared libraries, though its namespace is visible.
 template <class T>
-void reserve_more(std::vector<T>& v, std::size_t extra) {
+inline void reserve_more(std::vector<T>& v, std::size_t extra) {
   if (v.capacity() - v.size() < extra) v.reserve(std::max(v.size() + extra, 2 * v.capacity()));
 }
 

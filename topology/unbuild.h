@@ -164,9 +164,9 @@ class Unbuilding {
     twins_[h.index()] = HalfEdge();
   }
 
-  /// Paper §6.4, with the destroy after the loop. The side left of the gate goes first, then the
-  /// one right of it: the opposite order of attach, then zip or glue. If the triangle is an ear,
-  /// its left side becomes the name of the diagonal. `i` is kept: the triangle is the i-th.
+  /// CAGD 2010, §6.4, with the destroy after the loop. The side left of the gate goes first, then
+  /// the one right of it: the opposite order of attach, then zip or glue. If the triangle is an
+  /// ear, its left side becomes the name of the diagonal. `i` is kept: the triangle is the i-th.
   /// Precondition: the gate is on the boundary.
   void detach(HalfEdge gate, std::uint32_t i) {
     const HalfEdge left_side = prev(gate), right_side = next(gate);

@@ -1,3 +1,4 @@
+// A frame -> residuals; residuals and a surface -> values.
 #include "codec/attributes/attribute_decoder.h"
 
 #include <utility>

@@ -1,3 +1,4 @@
+// A pass over each array that may be wrong.
 #include "codec/base/check.h"
 
 #include <algorithm>

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 Outcome<Destination> Destination::find(const Options& options, const char* suffix) {
   const auto& inputs = options.inputs;
   const auto& output = options.output;
-  std::error_code error;  // what is wrong with an output is told when it is made
+  std::error_code error;  // what is wrong with an output is reported when it is made
   const bool directory = output && (output->ends_with('/') || fs::is_directory(*output, error));
   if (output && !directory && inputs.size() > 1)
     return stop(Exit::usage, *output == "-"

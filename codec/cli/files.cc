@@ -54,7 +54,7 @@ bool write_all(int fd, std::span<const std::byte> bytes) {
 }
 
 /// Where a path leads through symbolic links, whether or not there is anything: a new file is made
-/// where a link leads. Ends at a link that cannot be followed, which opening it then tells.
+/// where a link leads. Ends at a link that cannot be followed, which opening it then reports.
 std::filesystem::path followed(std::filesystem::path path) {
   constexpr int most_links = 40;  // as Linux
   for (int i = 0; i < most_links; ++i) {

@@ -14,14 +14,14 @@
 namespace clers::cli {
 namespace {
 
-void tell(const std::string& line) {
+void put_line(const std::string& line) {
   fmt::print(stderr, "{}\n", printable(line));
 }
 
 }  // namespace
 
 void complain(const std::string& line) {
-  if (!line.empty()) tell("clers: " + line);
+  if (!line.empty()) put_line("clers: " + line);
 }
 
 Outcome<io::Format> format_for(const std::string& path, std::optional<io::Format> given,
@@ -69,7 +69,7 @@ Outcome<Bytes> Job::read(const std::string& path) {
 }
 
 Outcome<io::Format> Job::mesh_format(const std::string& path) const {
-  std::error_code error;  // of a path that cannot be looked at, which reading it tells
+  std::error_code error;  // of a path that cannot be looked at, which reading it reports
   if (std::filesystem::is_directory(path, error))
     return stop(Exit::input, path + ": is a directory; name the files in it");
   const auto format = format_for(path, options_.from, "--from");
@@ -149,8 +149,8 @@ Outcome<Done> Job::save(const std::string& output, std::span<const std::byte> by
   progress_.hide();
   const bool in_a_pipe = input_ == "-" && output == "-";
   if (!options_.quiet && !in_a_pipe) {
-    if (results.empty()) tell(sizes_and_time(output, bytes.size()));
-    for (const std::string& result : results) tell(result);
+    if (results.empty()) put_line(sizes_and_time(output, bytes.size()));
+    for (const std::string& result : results) put_line(result);
   }
   if (!options_.remove_inputs || input_ == "-" || output == "-") return Done{};
   if (whole_) return remove_input(input_);

@@ -14,7 +14,7 @@
 
 namespace clers::cli {
 
-/// The format that is given or that a file's name tells. `option` would give it.
+/// The format that is given or that a file's name has. `option` would give it.
 Outcome<io::Format> format_for(const std::string& path, std::optional<io::Format> given,
                                const char* option);
 
@@ -57,7 +57,7 @@ class Job {
   /// Why the input is not accepted as a .clers file.
   Failure<Stop> not_accepted(const Error& error) const;
 
-  /// Tells what was not carried over, or in another form.
+  /// Prints what was not carried over, or in another form.
   void note(const std::string& file, const io::Notes& notes);
   void note(const std::string& file, const std::string& text, bool is_loss);
 

@@ -66,16 +66,16 @@ void Progress::next() {
   for (std::size_t i = 0; i < stage_; ++i) planned += plan_[i].share;
   if (planned > 0) pace_ = seconds(now - start_) / planned;
   stage_ = std::min(stage_ + 1, plan_.size());
-  stage_start_ = told_at_ = now;
-  told_ = 0;
+  stage_start_ = reported_at_ = now;
+  reported_ = 0;
   hidden_ = false;
 }
 
 void Progress::show(double done) {
   if (!drawer_.joinable()) return;
   const std::lock_guard lock(mutex_);
-  told_ = std::clamp(done, told_, 1.0);
-  told_at_ = Clock::now();
+  reported_ = std::clamp(done, reported_, 1.0);
+  reported_at_ = Clock::now();
 }
 
 void Progress::hide() {
@@ -106,10 +106,13 @@ double Progress::share_done(Clock::time_point now) const {
     if (i + 1 < stage_) before += plan_[i].share;
   }
   const double planned = plan_[stage_ - 1].share;
-  // What the stage has told says more about its length than the plan, once it is not too little.
-  const double length = told_ > 0.1 ? seconds(told_at_ - stage_start_) / told_ : planned * pace_;
-  const double rest = std::max(1e-6, length * (1 - told_));
-  const double stage = told_ + (1 - told_) * expected_share(seconds(now - told_at_) / rest);
+  // What the stage has reported says more about its length than the plan, once it is not too
+  // little.
+  const double length =
+      reported_ > 0.1 ? seconds(reported_at_ - stage_start_) / reported_ : planned * pace_;
+  const double rest = std::max(1e-6, length * (1 - reported_));
+  const double stage =
+      reported_ + (1 - reported_) * expected_share(seconds(now - reported_at_) / rest);
   return all > 0 ? (before + stage * planned) / all : 0;
 }
 

@@ -23,7 +23,7 @@ struct Stage {
 /// Draws a bar on stderr once the work has taken half a second, if stderr is a terminal; erases it
 /// when it goes, so that nothing of it stays beside what is printed.
 ///
-/// A thread of its own draws, since much of the work tells nothing while it goes on: the bar then
+/// A thread of its own draws, since much of the work reports nothing while it goes on: the bar then
 /// moves by the time that the stage is expected to take, ever slower once that is used up.
 class Progress {
  public:
@@ -55,10 +55,10 @@ class Progress {
   std::mutex mutex_;
   std::condition_variable stopped_;
   bool stop_ = false, hidden_ = true, drawn_ = false;
-  std::size_t stage_ = 0;        ///< how many have begun
-  double pace_ = 0.1;            ///< seconds that a unit of the plan takes here
-  double told_ = 0, shown_ = 0;  ///< of this stage; of the whole, so that it never falls
-  Clock::time_point start_, stage_start_, told_at_;
+  std::size_t stage_ = 0;            ///< how many have begun
+  double pace_ = 0.1;                ///< seconds that a unit of the plan takes here
+  double reported_ = 0, shown_ = 0;  ///< of this stage; of the whole, so that it never falls
+  Clock::time_point start_, stage_start_, reported_at_;
   std::thread drawer_;
 };
 

@@ -54,7 +54,7 @@ struct Values : std::array<double, n> {
   }
 };
 
-/// Averages, and counts what is set, to tell how far the work is.
+/// Averages, and counts what is set, to report how far the work is.
 template <class V>
 class Counted : public Averaging<V> {
  public:

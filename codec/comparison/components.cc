@@ -1,7 +1,6 @@
 // Disjoint sets of vertices, then a counting sort of the faces.
 #include "codec/comparison/components.h"
 
-#include <algorithm>
 #include <numeric>
 
 #include "codec/base/disjoint_sets.h"

@@ -3,11 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
-#include <optional>
 #include <span>
 #include <string>
-#include <utility>
 
 #include "codec/base/no_index.h"
 

@@ -2,7 +2,6 @@
 #include "codec/comparison/isomorphism.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "codec/base/no_index.h"
 

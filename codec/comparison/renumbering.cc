@@ -1,8 +1,6 @@
 // Least rotations of faces, sorted by hash and compared by bits.
 #include "codec/comparison/renumbering.h"
 
-#include <algorithm>
-
 #include "codec/base/least_rotation.h"
 
 namespace clers::internal {

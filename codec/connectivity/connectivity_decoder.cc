@@ -1,3 +1,6 @@
+// The bytes of one surface -> its triangles (CAGD 2010, §7.2, Algorithm 3). Sizes are checked
+// before anything is allocated; the driver runs over the stream; ids of the construction become
+// numbers.
 #include <algorithm>
 #include <memory>
 #include <new>

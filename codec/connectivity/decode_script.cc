@@ -1,3 +1,4 @@
+// A pass over the symbols in the order of decoding, with no more than the lengths of curves.
 #include "codec/connectivity/decode_script.h"
 
 #include <utility>

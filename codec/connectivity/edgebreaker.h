@@ -1,5 +1,5 @@
-// Edgebreaker (paper §7.2, Algorithm 2): unbuilds a surface and names every triangle C, L, E, R or
-// S.
+// Edgebreaker (CAGD 2010, §7.2, Algorithm 2): unbuilds a surface and names every triangle C, L, E,
+// R or S.
 //
 // A polygon entered through the edge a -> b is a fan of triangles around b, from a on. The right
 // side of each but the last is a diagonal, and always the one through which the walk goes on:
@@ -77,7 +77,7 @@ struct Traversal {
 /// The decoder goes the same way backwards. So the triangles that a vertex has in the part that is
 /// left to unbuild are those that it has when the decoder comes there, and the last vertex to be
 /// met is the first to be finished. As in the decoder, the two parts that an S leaves of a vertex
-/// are two vertices (of one point, paper Appendix A).
+/// are two vertices (of one point, CAGD 2010, Appendix A).
 ///
 /// Faces are those of unbuild.h. How many triangles a polygon gives a vertex shows only when it is
 /// entered, so valences are not to be had of polygons here.

@@ -1,3 +1,4 @@
+// Spirale Reversi once more, over the symbols that Edgebreaker found.
 #include "codec/connectivity/place_handles.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Spirale Reversi once more, beside the full surface, walking along curves.
 #include "codec/connectivity/replayed_script.h"
 
 #include <algorithm>

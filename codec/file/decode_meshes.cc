@@ -1,11 +1,13 @@
+// All pieces of all meshes are one list, of which as many are decoded at a time as there is memory
+// for.
 #include "codec/file/decode_meshes.h"
 
 #include <algorithm>
 #include <atomic>
 #include <utility>
 
+#include "codec/base/in_mesh.h"
 #include "codec/base/parallel.h"
-#include "codec/file/open_file.h"
 
 namespace clers::internal {
 namespace {

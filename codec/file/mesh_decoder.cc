@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
-#include <string>
 #include <utility>
 
 #include "codec/base/budget.h"
@@ -88,8 +87,10 @@ Expected<DecodedFaces> decode_faces(const PieceSections& sections, bool with_int
     if (auto ok = decode_raw(sections.raw, mesh.face_sizes, mesh.corners); !ok)
       return Failure{ok.error()};
     drop_sizes_of_triangles(mesh);
-    result.surface_corners = mesh.corners.size();
-    if (!mesh.triangles_only()) result.triangles = fan_triangles(mesh.corners, mesh.face_sizes);
+    if (mesh.triangles_only())
+      result.surface_corners = mesh.corners.size();
+    else
+      result.triangles = fan_triangles(mesh.corners, mesh.face_sizes);
     if (with_introduced) {
       const auto along = result.surface().corners;
       const auto last = std::max_element(along.begin(), along.end());

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <string_view>
 
-#include "codec/base/check.h"
 #include "codec/base/utf8.h"
 
 namespace clers::internal {

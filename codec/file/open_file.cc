@@ -1,8 +1,9 @@
+// Headers, and sums over them.
 #include "codec/file/open_file.h"
 
-#include <string>
 #include <utility>
 
+#include "codec/base/in_mesh.h"
 #include "codec/file/container.h"
 #include "codec/file/metadata.h"
 
@@ -95,11 +96,6 @@ Expected<FileInfo> info_of(const OpenFile& file, bool metadata) {
     info.meshes.push_back(std::move(*mesh));
   }
   return info;
-}
-
-Failure<Error> in_mesh(Error error, std::size_t mesh, std::size_t meshes) {
-  if (meshes > 1) error.what += " (mesh " + std::to_string(mesh) + ")";
-  return {std::move(error)};
 }
 
 }  // namespace clers::internal

@@ -32,9 +32,6 @@ std::uint64_t info_memory(const OpenFile& file);
 /// Errors: invalid, of metadata, if that is wanted.
 Expected<FileInfo> info_of(const OpenFile& file, bool metadata);
 
-/// Says in which mesh an error is, if there are several.
-Failure<Error> in_mesh(Error error, std::size_t mesh, std::size_t meshes);
-
 }  // namespace clers::internal
 
 #endif

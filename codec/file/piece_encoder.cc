@@ -1,7 +1,6 @@
 // Vertices that an earlier piece has are its seam; all others are numbered on.
 #include "codec/file/piece_encoder.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "codec/base/faces.h"

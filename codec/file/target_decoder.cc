@@ -1,3 +1,4 @@
+// Corners are decoded where they belong if that can be; else pieces are decoded and copied there.
 #include "codec/file/target_decoder.h"
 
 #include <algorithm>

@@ -25,8 +25,8 @@ namespace CLERS_VISIBLE io {
 ///              s t, u v or texture_u texture_v -> "texcoord", any other -> its own name.
 ///          So do lists of one length; lists "texcoord" and "color" of faces, which MeshLab writes,
 ///          are of the corners. Metadata keep comments, lines obj_info and what properties are
-///          called. Attributes of several components, and names that a header cannot hold, are told
-///          by comments that begin "clers", so that all but 64-bit integers reads back as it was.
+///          called. Attributes of several components, and names that a header cannot hold, are kept
+///          in comments that begin "clers", so that all but 64-bit integers reads back as it was.
 ///     obj  Faces of any size. v -> "position", and "color" if each vertex has one: bytes if all
 ///          are 255ths. vt and vn -> "texcoord" and "normal" by corner if each face has them. The
 ///          only o names the mesh. Several meshes are written as objects, which read back as one.

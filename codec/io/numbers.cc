@@ -1,6 +1,5 @@
 #include "codec/io/numbers.h"
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -22,7 +21,7 @@ constexpr bool between_two_float32(double value) {
 }
 
 float nearest_float32(double wide, std::string_view text) {
-  // Below the smallest normal float32 the middle lies elsewhere; above the largest there is none.
+  // Below the smallest normal float32 the middle is elsewhere; above the largest there is none.
   const double size = std::fabs(wide);
   if (size >= 0x1p-126 && size <= 0x1.fffffep127 && !between_two_float32(wide))
     return static_cast<float>(wide);
@@ -74,7 +73,7 @@ bool is_decimal_of(const Decimal& value, std::string_view text) {
   if (std::isinf(value.narrow)) return false;
   const double off = std::fabs(value.wide - static_cast<double>(value.narrow));
   if (off <= half_unit_of_last_digit(text) + half_step(value.wide)) return true;
-  // Below a power of two float32 lie denser, so that its shortest text may be off by more.
+  // Below a power of two float32 are denser, so that its shortest text may be off by more.
   char shortest[64];
   const char* end = std::to_chars(shortest, shortest + sizeof shortest, value.narrow,
                                   std::chars_format::scientific)

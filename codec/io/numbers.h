@@ -51,7 +51,7 @@ void print_untyped(Output& out, const Attribute& attribute, std::size_t index);
 Attribute of_255ths(Attribute colors);
 Attribute as_255ths(const Attribute& bytes);
 
-/// NaNs whose bits a text cannot tell.
+/// NaNs whose bits a text cannot hold.
 std::size_t count_lost_nans(const Attribute& attribute);
 
 }  // namespace clers::io

@@ -1,3 +1,4 @@
+// Reads OBJ.
 #include <algorithm>
 #include <array>
 #include <cstring>

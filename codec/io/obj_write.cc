@@ -1,4 +1,4 @@
-#include <array>
+// Writes OBJ.
 #include <cstring>
 
 #include "codec/io/formats.h"

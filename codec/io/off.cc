@@ -1,6 +1,6 @@
 // Source: Geomview manual, "OFF Files". Lines matter here: each vertex and each face has its own,
-// which is what files look like, and the only way to tell colours of three and of four numbers
-// apart.
+// which is what files look like, and the only way to distinguish colours of three and of four
+// numbers.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -257,7 +257,7 @@ class Reader {
   Comments comments_;
   Text text_;
   Kind kind_;
-  bool says_all_ = false;  // whether the first line tells all that the lines of vertices have
+  bool says_all_ = false;  // whether the first line says all that the lines of vertices have
   std::uint64_t face_count_ = 0;
   Mesh mesh_;
   std::vector<std::uint32_t> face_sizes_;

@@ -118,7 +118,7 @@ struct Convention {
   std::span<const std::string_view> names() const { return {properties.data(), components}; }
 };
 /// Reading takes the first line for an attribute that the file has all properties of, of one type;
-/// writing the first with as many components, unless metadata tell what they were called.
+/// writing the first with as many components, unless metadata say what they were called.
 inline constexpr Convention conventions[] = {
     {position_name, 3, {"x", "y", "z"}},
     {"normal", 3, {"nx", "ny", "nz"}},

@@ -1,3 +1,4 @@
+// What follows the header of a PLY file, as text or as bytes.
 #include <bit>
 #include <cstring>
 

@@ -1,3 +1,4 @@
+// The header of a PLY file: its elements and their properties.
 #include <algorithm>
 #include <set>
 #include <utility>

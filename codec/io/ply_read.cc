@@ -1,6 +1,6 @@
+// Reads PLY.
 #include <algorithm>
 #include <cstring>
-#include <map>
 #include <set>
 
 #include "codec/io/formats.h"
@@ -205,7 +205,7 @@ class Reader {
   }
 
   // Vertices a b c d e ... of a strip are the faces abc, cbd, cde, ...: each but the first shares
-  // an edge with the one before, and every second one is turned to lie the same way up. A repeated
+  // an edge with the one before, and every second one is reversed to face the same way. A repeated
   // vertex joins two strips into one and is no face.
   //
   //     a---c---e

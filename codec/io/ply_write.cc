@@ -1,3 +1,4 @@
+// Writes PLY.
 #include <algorithm>
 #include <cstring>
 #include <map>

@@ -314,8 +314,8 @@ class TextReader {
   std::vector<std::string> names_;
 };
 
-// Text begins with "solid", but so do the headers of some binary files: these tell by their size,
-// or by what follows, of which the number of triangles at least is no text.
+// Text begins with "solid", but so do the headers of some binary files: these are known by their
+// size, or by what follows, of which the number of triangles at least is no text.
 bool is_binary(std::string_view file, std::string_view without_padding) {
   if (file.size() >= start_size &&
       file.size() - start_size ==

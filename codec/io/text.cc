@@ -1,3 +1,4 @@
+// Tokens of text.
 #include "codec/io/text.h"
 
 #include <algorithm>

@@ -42,7 +42,7 @@ struct Syntax {
 
 /// A cursor over text, whose lines end in LF, CR LF or CR. Reading a token, an integer or a number
 /// first skips blanks, but no line ends: what may go on to the next line calls skip_space() before.
-/// A read that fails moves no further than the blanks, so that expected() can tell what stands
+/// A read that fails moves no further than the blanks, so that expected() can say what stands
 /// there.
 class Text {
  public:

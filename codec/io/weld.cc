@@ -1,3 +1,4 @@
+// Values sorted by hash, so that equal ones are neighbours.
 #include "codec/io/weld.h"
 
 #include <algorithm>

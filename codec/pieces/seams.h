@@ -15,7 +15,6 @@
 #include <string>
 #include <vector>
 
-#include "codec/attributes/transform.h"
 #include "codec/entropy/stream.h"
 #include "codec/piece.h"
 

@@ -1,7 +1,6 @@
 // Cut only where the faces are no manifold; cut again where closed fans turn out to touch.
 #include "codec/soup/surface_encoder.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "codec/soup/adjacency.h"

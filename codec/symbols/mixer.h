@@ -18,7 +18,7 @@ namespace clers::internal::mixer {
 /// multiply. n is a multiple of 8, at most 64, so that no sum overflows.
 inline constexpr int one = 1 << 28;
 
-namespace plain {
+namespace portable {
 
 inline std::int32_t dot(const std::int16_t* x, const std::int32_t* w, unsigned n) {
   std::uint32_t sum = 0;
@@ -33,7 +33,7 @@ inline void train(const std::int16_t* x, std::int32_t* w, unsigned n, std::int16
                                      static_cast<std::uint32_t>((x[i] * e) >> 3));
 }
 
-}  // namespace plain
+}  // namespace portable
 
 #if CLERS_SSE2
 
@@ -66,8 +66,8 @@ inline void train(const std::int16_t* x, std::int32_t* w, unsigned n, std::int16
 
 #else
 
-using plain::dot;
-using plain::train;
+using portable::dot;
+using portable::train;
 
 #endif
 

@@ -14,8 +14,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "codec/symbols/symbol.h"
-
 namespace clers::internal {
 
 class Neighbourhood {

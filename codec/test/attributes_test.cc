@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -17,6 +16,7 @@
 #include "codec/decode.h"
 #include "codec/encode.h"
 #include "codec/soup/adjacency.h"
+#include "codec/soup/raw_faces.h"
 #include "codec/test/attribute.h"
 #include "codec/test/file_builder.h"
 #include "codec/test/legal_streams.h"
@@ -245,7 +245,27 @@ TEST(Attributes, ComeBackByAnyPredictor) {
       }
 }
 
-/// Which error is told does not depend on threads: that of the faces, else of the first attribute.
+/// Raw faces of two corners have no triangle: all vertices are predicted as isolated ones are.
+TEST(Attributes, FacesWithoutTrianglesPredictNothing) {
+  const std::vector<std::uint32_t> corners = {0, 2, 1, 3}, sizes = {2, 2};
+  test::Payload values;
+  values.u8(1).text("a").u8(0).u8(static_cast<std::uint32_t>(Scalar::uint8)).u8(1);
+  values.u8(static_cast<std::uint32_t>(Predictor::parallelogram));
+  const Bytes residuals = {std::byte{10}, std::byte{2}, std::byte{4}, std::byte{6}};
+  values.raw(test::zstd_frame(residuals));
+  test::FileBuilder file;
+  file.section(SectionKind::mesh,
+               test::Payload().u8(feature::raw).raw(encode_raw(Cycles(corners, sizes), 2, 4)));
+  file.section(SectionKind::attribute, values);
+  const auto out = decode(file.finish());
+  ASSERT_TRUE(out.ok()) << describe(out.error());
+  ASSERT_EQ(out->front().corners, corners);
+  const Bytes expected = {std::byte{10}, std::byte{11}, std::byte{13}, std::byte{16}};
+  EXPECT_EQ(out->front().attributes[0].data, expected);
+}
+
+/// Which error is reported does not depend on threads: that of the faces, else of the first
+/// attribute.
 TEST(Attributes, ErrorsDoNotDependOnThreads) {
   const Mesh mesh = corpus::grid(150, 100);
   std::vector<HalfEdge> twins = *find_twins({mesh.corners, {}}, mesh.vertex_count);

@@ -67,8 +67,8 @@ inline Payload attribute_section(std::string_view name, Domain domain, Scalar sc
 }
 
 /// Faces one by one, in a stream that need not hold them.
-inline Payload plain_mesh(std::uint64_t vertices, std::uint64_t faces, std::uint64_t corners,
-                          std::size_t stream_bytes = 2) {
+inline Payload raw_mesh(std::uint64_t vertices, std::uint64_t faces, std::uint64_t corners,
+                        std::size_t stream_bytes = 2) {
   Bytes stream(stream_bytes);
   stream[stream_bytes - 1] = std::byte{1};  // the state 256, when there are two
   return std::move(

@@ -1,7 +1,6 @@
 #include "codec/test/golden_meshes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <utility>
 

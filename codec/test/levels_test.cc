@@ -103,10 +103,10 @@ TEST(Mixer, VectorsComputeWhatThePlainLoopsDo) {
     for (auto& v : w) v = static_cast<std::int32_t>(random());
     if (round % 3 == 0) w.fill(round % 2 ? INT32_MAX : INT32_MIN);
     other = w;
-    EXPECT_EQ(mixer::dot(x.data(), w.data(), n), mixer::plain::dot(x.data(), w.data(), n));
+    EXPECT_EQ(mixer::dot(x.data(), w.data(), n), mixer::portable::dot(x.data(), w.data(), n));
     const auto e = static_cast<std::int16_t>(int(random() % 65535) - 32767);
     mixer::train(x.data(), w.data(), n, e);
-    mixer::plain::train(x.data(), other.data(), n, e);
+    mixer::portable::train(x.data(), other.data(), n, e);
     EXPECT_EQ(w, other);
   }
 }

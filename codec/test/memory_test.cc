@@ -269,7 +269,7 @@ TEST(Memory, PiecesThatClaimValues) {
   FileBuilder file;
   file.pieces(2);
   for (int i = 0; i < 2; ++i) {
-    file.section(SectionKind::mesh, test::plain_mesh(std::uint64_t(1) << 30, 0, 0));
+    file.section(SectionKind::mesh, test::raw_mesh(std::uint64_t(1) << 30, 0, 0));
     file.section(SectionKind::attribute,
                  test::attribute_section("a", Domain::vertex, Scalar::uint8, 4, {}));
   }
@@ -283,7 +283,7 @@ TEST(Memory, PiecesOfZeros) {
   FileBuilder file;
   file.pieces(3);
   for (int i = 0; i < 3; ++i) {
-    file.section(SectionKind::mesh, test::plain_mesh(1 * MB, 0, 0));
+    file.section(SectionKind::mesh, test::raw_mesh(1 * MB, 0, 0));
     file.section(SectionKind::attribute,
                  test::attribute_section("a", Domain::vertex, Scalar::uint8, 4, frame));
   }
@@ -294,7 +294,7 @@ TEST(Memory, PiecesOfZeros) {
 TEST(Memory, OneAttributeOfZeros) {
   const Bytes frame = test::zstd_frame(Bytes(8 * MB));
   FileBuilder file;
-  file.section(SectionKind::mesh, test::plain_mesh(2 * MB, 0, 0));
+  file.section(SectionKind::mesh, test::raw_mesh(2 * MB, 0, 0));
   file.section(SectionKind::attribute,
                test::attribute_section("a", Domain::vertex, Scalar::uint8, 4, frame));
   const Bytes bytes = file.finish();
@@ -305,7 +305,7 @@ TEST(Memory, OneAttributeOfZeros) {
 TEST(Memory, SeveralAttributesOfZeros) {
   const Bytes frame = test::zstd_frame(Bytes(2 * MB));
   FileBuilder file;
-  file.section(SectionKind::mesh, test::plain_mesh(MB / 2, 0, 0));
+  file.section(SectionKind::mesh, test::raw_mesh(MB / 2, 0, 0));
   for (const char* name : {"a", "b", "c", "d", "e"})
     file.section(SectionKind::attribute,
                  test::attribute_section(name, Domain::vertex, Scalar::float32, 1, frame));
@@ -360,7 +360,7 @@ TEST(Memory, EmptyPieces) {
   constexpr unsigned n = 20'000;
   FileBuilder file;
   file.pieces(n);
-  const Payload empty = test::plain_mesh(0, 0, 0);
+  const Payload empty = test::raw_mesh(0, 0, 0);
   for (unsigned i = 0; i < n; ++i) file.section(SectionKind::mesh, empty);
   expect_within_limits(file.finish());
 }
@@ -384,17 +384,17 @@ TEST(Memory, ManyAttributes) {
   expect_within_limits(file.finish());
 }
 
-TEST(Memory, TurnedAndLooseAndPolygonsThatAreNot) {
+TEST(Memory, ReversedAndDegenerateAndPolygonsThatAreNot) {
   const Bytes connectivity = loose_triangles(80'000, 5);
   const Bytes claims(128, std::byte{1});
-  Payload turned = surface(feature::reversed, 0);
-  turned.varint(80'000).stream(no_symbols).raw(connectivity);
+  Payload reversed = surface(feature::reversed, 0);
+  reversed.varint(80'000).stream(no_symbols).raw(connectivity);
   Payload polygons = surface(feature::polygons, 0);
   polygons.varint(79'999).stream(no_symbols).raw(connectivity);
-  Payload loose = surface(feature::degenerate, 0);
-  loose.varint(800'000).varint(800'000).stream(claims).raw(connectivity);
-  const Payload plain = test::plain_mesh(10, 800'000, 800'000, 128);
-  for (const Payload& mesh : {turned, polygons, loose, plain})
+  Payload degenerate = surface(feature::degenerate, 0);
+  degenerate.varint(800'000).varint(800'000).stream(claims).raw(connectivity);
+  const Payload raw = test::raw_mesh(10, 800'000, 800'000, 128);
+  for (const Payload& mesh : {reversed, polygons, degenerate, raw})
     expect_within_limits(FileBuilder().section(SectionKind::mesh, mesh).finish());
 }
 

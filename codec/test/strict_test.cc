@@ -101,7 +101,7 @@ TEST(Strict, ValuesAreOneFrame) {
 }
 
 TEST(Strict, NoValuesAreAFrameToo) {
-  const Payload points = test::plain_mesh(0, 0, 0);
+  const Payload points = test::raw_mesh(0, 0, 0);
   const auto file = [&](const Bytes& packed) {
     return FileBuilder()
         .section(SectionKind::mesh, points)

@@ -1,3 +1,4 @@
+// Marks by half-edge that follow what refines.
 #include "topology/modeling/creases.h"
 
 #include <algorithm>

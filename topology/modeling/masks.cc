@@ -1,3 +1,4 @@
+// Smooth, along a curve, or fixed.
 #include "topology/modeling/masks.h"
 
 namespace CLERS_VISIBLE clers {
