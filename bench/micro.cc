@@ -184,8 +184,9 @@ void prediction(benchmark::State& state) {
   for (std::size_t i = 0; i < keys.size() / 4; ++i)
     set_word(keys.data(), i, to_ordered(word_at<std::uint32_t>(keys.data(), i)));
   for (auto _ : state) {
-    subtract_predictions<std::uint32_t>(Predictor::parallelogram, coded.mesh.vertex_count, 3,
-                                        coded.surface(), keys.data(), residuals.data());
+    subtract_predictions<std::uint32_t>(Predictor::parallelogram, coded.mesh.vertex_count,
+                                        std::size_t{3}, coded.surface(), keys.data(),
+                                        residuals.data());
     benchmark::DoNotOptimize(residuals.data());
     benchmark::ClobberMemory();
   }
