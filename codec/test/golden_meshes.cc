@@ -1,6 +1,7 @@
 #include "codec/test/golden_meshes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <utility>
 
