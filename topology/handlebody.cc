@@ -1,3 +1,4 @@
+// A surface as handles attached one by one: CAGD 2010, Theorem 4 and Corollary 12.
 #include "topology/handlebody.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// What must always hold of a surface, walked on raw arrays.
 #include "topology/validate.h"
 
 namespace CLERS_VISIBLE clers {

@@ -45,13 +45,17 @@ Expected<Done> check_attribute(const AttributeView& a, std::size_t count) {
 }
 
 Expected<Done> check_arrays(const MeshView& mesh) {
+  std::uint64_t triangles = 0;  // that polygons become
   if (mesh.triangles_only()) {
     if (mesh.corners.size() % 3 != 0)
       return fail(ErrorCode::inconsistent_mesh,
                   std::to_string(mesh.corners.size()) + " corners, expected a multiple of 3");
   } else {
     std::uint64_t corners = 0;
-    for (const std::uint32_t size : mesh.face_sizes) corners += size;
+    for (const std::uint32_t size : mesh.face_sizes) {
+      corners += size;
+      triangles += size < 3 ? 0 : size - 2;
+    }
     if (corners != mesh.corners.size())
       return fail(ErrorCode::inconsistent_mesh,
                   "faces of " + std::to_string(corners) + " corners in all, but " +
@@ -62,6 +66,10 @@ Expected<Done> check_arrays(const MeshView& mesh) {
                                           std::to_string(mesh.corners.size()) +
                                           " corners, expected at most " +
                                           std::to_string(max_corners));
+  if (triangles > max_faces)
+    return fail(ErrorCode::too_large, "polygons of " + std::to_string(triangles) +
+                                          " triangles, expected at most " +
+                                          std::to_string(max_faces));
   std::uint32_t largest = 0;
   for (const std::uint32_t v : mesh.corners) largest = std::max(largest, v);
   if (!mesh.corners.empty() && largest >= mesh.vertex_count) {

@@ -1,3 +1,4 @@
+// Where outputs go: beside inputs, to a file, into a folder, to standard output.
 #include "codec/cli/destination.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Files read whole, and written atomically.
 #include "codec/cli/files.h"
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// One input on its way through a command.
 #include "codec/cli/job.h"
 
 #include <fmt/format.h>

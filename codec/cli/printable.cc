@@ -1,3 +1,4 @@
+// Bytes of strangers as text that a terminal can show.
 #include "codec/cli/printable.h"
 
 #include <fmt/format.h>

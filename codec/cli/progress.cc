@@ -1,3 +1,4 @@
+// A line on standard error that says how far the work is.
 #include "codec/cli/progress.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// What info, check and verify print, as text and as JSON.
 #include "codec/cli/report.h"
 
 #include <fmt/format.h>

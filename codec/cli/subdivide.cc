@@ -1,3 +1,4 @@
+// The command subdivide: topology/modeling on the vertices of a mesh.
 #include "codec/cli/subdivide.h"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// Words that somebody may have meant.
 #include "codec/cli/words.h"
 
 #include <algorithm>

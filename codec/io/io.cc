@@ -1,3 +1,4 @@
+// The door of codec/io: which reader or writer, and what holds of all.
 #include "codec/io/io.h"
 
 #include <algorithm>

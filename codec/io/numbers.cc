@@ -1,3 +1,4 @@
+// How wide the numbers of a text file must be kept.
 #include "codec/io/numbers.h"
 
 #include <bit>

@@ -1,3 +1,4 @@
+// The refinement of 4-8 subdivision: splits of the edges opposite to the newest vertices.
 #include "topology/modeling/four_eight.h"
 
 #include <algorithm>

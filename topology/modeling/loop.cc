@@ -1,3 +1,4 @@
+// The refinement of Loop subdivision, by splits and flips.
 #include "topology/modeling/loop.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// The refinement of sqrt(3) subdivision: CAGD 2010, §7.3, Algorithm 4.
 #include "topology/modeling/sqrt3.h"
 
 #include <cmath>
