@@ -71,9 +71,9 @@ class Decoder {
   /// mesh is a manifold of triangles in one piece; else they are searched for, in linear time.
   Expected<Done> decode_into(std::size_t mesh, const MeshTarget& target) const;
 
-  /// One piece, counted over all meshes. Numbers are those of the whole mesh as it is decoded
-  /// without the order of the input: that of a mesh in pieces is not restored. Memory: of this
-  /// piece alone. Cost: linear in it. To go through a file in little memory, decode all pieces in
+  /// One piece, counted over all meshes. Its numbers in the whole mesh are those of the codec's
+  /// order: where the order of the input was kept, only a mesh that is one piece comes back in it.
+  /// Memory: of this piece alone. Cost: linear in it. To go through a file in little memory, decode all pieces in
   /// turn.
   Expected<Piece> decode_piece(std::size_t piece) const;
 
