@@ -73,8 +73,8 @@ class Decoder {
 
   /// One piece, counted over all meshes. Its numbers in the whole mesh are those of the codec's
   /// order: where the order of the input was kept, only a mesh that is one piece comes back in it.
-  /// Memory: of this piece alone. Cost: linear in it. To go through a file in little memory, decode all pieces in
-  /// turn.
+  /// Memory: of this piece alone. Cost: linear in it. To go through a file in little memory, decode
+  /// all pieces in turn.
   Expected<Piece> decode_piece(std::size_t piece) const;
 
  private:
