@@ -60,7 +60,7 @@ class Recording {
   void begin_curve(std::uint32_t symbol, std::uint32_t index) {
     ++begun_;
     bool ends = false;
-    if (aside_.empty()) {
+    if (pending_.empty()) {
       // Symbols come last to first: a component ends where the one decoded before it started.
       ends = traversal_.starts[next_start_ - 1].index == index + 1;
       script_.events.push_back({symbol, Event::Kind::new_component, ends, length_ == 2});
@@ -68,7 +68,7 @@ class Recording {
     if (ends)
       end_component(symbol);
     else
-      aside_.push_back(length_);
+      pending_.push_back(length_);
     length_ = 3;
   }
 
@@ -81,12 +81,12 @@ class Recording {
 
   void join_to_aside(std::uint32_t symbol) {
     script_.events.push_back({symbol, Event::Kind::special, false});
-    length_ += aside_.back() - 1;
-    aside_.pop_back();
+    length_ += pending_.back() - 1;
+    pending_.pop_back();
   }
 
   void special(std::uint32_t symbol) {
-    if (!aside_.empty()) script_.events.push_back({symbol, Event::Kind::special, true});
+    if (!pending_.empty()) script_.events.push_back({symbol, Event::Kind::special, true});
     const Traversal::Special& s = traversal_.specials[--next_special_];
     Event e{symbol, Event::Kind::hole};
     e.distance = s.distance;
@@ -105,7 +105,7 @@ class Recording {
   Traversal& traversal_;
   DecodeScript script_;
   std::size_t next_start_, next_special_;
-  std::vector<std::uint32_t> aside_;          ///< lengths of the curves whose gates are put aside
+  std::vector<std::uint32_t> pending_;        ///< lengths of the curves of pending gates
   std::uint32_t length_ = 3;                  ///< of the gate's curve
   std::uint32_t begun_ = 0;                   ///< curves, the first excepted
   std::uint32_t after_ = 1;                   ///< the last S or E, it goes on here

@@ -126,7 +126,7 @@ class Edgebreaker {
   static constexpr std::uint32_t visited = 1, on_hole = 2, one_triangle = 4;
 
   /// What the left side of an S leads to, to be visited later.
-  struct Aside {
+  struct Pending {
     std::uint32_t index;  ///< of the S
     HalfEdge gate;
   };
@@ -240,10 +240,10 @@ class Edgebreaker {
       surface.detach(gate, count);
       ++count;
       if (symbol == Clers::E) {
-        // What is left to do is put aside, unless the walk came there another way: then the S did
+        // What is left to do is pending, unless the walk came there another way: then the S did
         // not part the surface, and is an end of a handle.
         for (;;) {
-          if (aside_.empty()) {
+          if (pending_.empty()) {
             count_ = count;
             entered_ = entered;
             numbered_ = numbered;
@@ -251,8 +251,8 @@ class Edgebreaker {
             number_holes(inside);
             return;
           }
-          const Aside part = aside_.back();
-          aside_.pop_back();
+          const Pending part = pending_.back();
+          pending_.pop_back();
           next = part.gate;
           if (!surface.is_destroyed(next)) break;
           result_.specials.push_back(
@@ -303,7 +303,7 @@ class Edgebreaker {
           join_hole(right_is_smaller ? next_on_boundary(unbuilding_.prev(r)) : unbuilding_.next(l));
       result_.specials.push_back({index, left_gate, HalfEdge(), SpecialS::hole, length});
     } else {
-      aside_.push_back({index, left_gate});
+      pending_.push_back({index, left_gate});
     }
   }
 
@@ -343,7 +343,7 @@ class Edgebreaker {
   Unbuilding<Faces, Witness> unbuilding_;
   std::uint32_t triangles_;
   std::vector<VertexState> vertices_;
-  std::vector<Aside> aside_;
+  std::vector<Pending> pending_;
   std::vector<std::uint32_t> hole_vertices_;  ///< of this component, in the order of their numbers
   std::uint32_t count_ = 0, entered_ = 0, numbered_ = 0;  ///< triangles, faces, vertices
   Clers last_ = Clers::E;                                 ///< symbol

@@ -14,7 +14,7 @@ namespace clers::internal {
 /// What is coded at the places in the symbol string where more than a symbol is needed.
 class EventModel {
  public:
-  /// At an E with no gate put aside: is it the first triangle of another component? Depends on
+  /// At an E with no gate pending: is it the first triangle of another component? Depends on
   /// whether the gate's curve has two edges only, and on the last three answers: components that
   /// are copies of each other give the same answers again.
   template <class Coder>
@@ -30,7 +30,7 @@ class EventModel {
     return c.bit(closed_, value);
   }
 
-  /// At an S when a gate was put aside: does it glue to something else than that gate?
+  /// At an S when a gate is pending: does it glue to something else than that gate?
   template <class Coder>
   bool special(Coder& c, bool value) {
     return c.bit(special_, value);

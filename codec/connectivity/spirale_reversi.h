@@ -29,11 +29,11 @@ enum class StreamFault : std::uint8_t {
   too_many_vertices,  ///< more than were declared
   too_many_merges,    ///< more S than there is room for
   c_on_two_edges,     ///< C where the curve has two edges: its triangle would repeat a vertex
-  s_without_gate,     ///< S joins to a gate put aside, and there is none
+  s_without_gate,     ///< S joins to a pending gate, and there is none
   curve_too_short,    ///< a special S on a curve without room for it
   position,           ///< a special S glues outside the curve
   waiting_curve,      ///< a component ends while a curve waits to be joined, or none waits
-  gate_left,          ///< the string ends while gates are put aside
+  gate_left,          ///< the string ends while gates are pending
   vertex_count,       ///< fewer vertices were made than declared
 };
 
@@ -100,7 +100,7 @@ class SpiraleReversi {
 
     for (std::uint32_t i = 1; i < faces; ++i) {
       const StreamFault broken =
-          source_.symbol(front, gate, aside_.size(), [&](auto symbol) CLERS_INLINE_LAMBDA {
+          source_.symbol(front, gate, pending_.size(), [&](auto symbol) CLERS_INLINE_LAMBDA {
             if constexpr (symbol() == Clers::C) {
               const std::uint32_t x = gate.x;
               if (front.prev(x) == gate.y) return StreamFault::c_on_two_edges;
@@ -114,9 +114,9 @@ class SpiraleReversi {
               gate = front.attach_keep_left(gate, Face(i), made++, c);
             } else if constexpr (symbol() == Clers::S) {
               if (to_.merged.size() == to_.merges) return StreamFault::too_many_merges;
-              if (!aside_.empty() && !source_.special()) {
-                const Gate left = aside_.back();
-                aside_.pop_back();
+              if (!pending_.empty() && !source_.special()) {
+                const Gate left = pending_.back();
+                pending_.pop_back();
                 gate = glue(gate, Face(i), left.x, left.kx, left.y, left.ky, left.edge,
                             HandleCase::join_components, c);
               } else {
@@ -127,9 +127,9 @@ class SpiraleReversi {
               }
             } else {
               if (ids - made < 3) return StreamFault::too_many_vertices;
-              if (!aside_.empty() || !source_.new_component(front.prev(gate.x) == gate.y)) {
-                if (aside_.size() == to_.merges) return StreamFault::gate_left;  // an S for each
-                aside_.push_back(Gate(gate));  // a copy: the gate stays in registers
+              if (!pending_.empty() || !source_.new_component(front.prev(gate.x) == gate.y)) {
+                if (pending_.size() == to_.merges) return StreamFault::gate_left;  // an S for each
+                pending_.push_back(Gate(gate));  // a copy: the gate stays in registers
               } else if (!nothing_waits()) {
                 return StreamFault::waiting_curve;
               } else {
@@ -143,7 +143,7 @@ class SpiraleReversi {
       if (broken != StreamFault::none) return {broken, i};
       write(out -= 3, c);
     }
-    if (!aside_.empty()) return {StreamFault::gate_left, faces};
+    if (!pending_.empty()) return {StreamFault::gate_left, faces};
     if (!nothing_waits()) return {StreamFault::waiting_curve, faces};
     to_.finished = end_component(gate, finished);
     return {};
@@ -162,7 +162,7 @@ class SpiraleReversi {
     Corners corners;
   };
 
-  /// S that does not join to the gate put aside last: to an edge of the same curve (1b), or to one
+  /// S that does not join to the last pending gate: to an edge of the same curve (1b), or to one
   /// of a curve split off before (1c). Rare and long, so it works on copies.
   CLERS_NEVER_INLINE Step special(Gate gate, Face f) {
     std::uint32_t q = 0;
@@ -275,7 +275,7 @@ class SpiraleReversi {
   Building& to_;
   Front<Pairing> front_;
   Source& source_;
-  std::vector<Gate> aside_;  ///< gates of parts to be joined by a later S
+  std::vector<Gate> pending_;  ///< gates of parts to be joined by a later S
   CurveIndex curves_;
   WaitingCurves waiting_;             ///< curves split off for a handle
   std::vector<std::uint32_t> holes_;  ///< a vertex of each hole of this component

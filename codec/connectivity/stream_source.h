@@ -37,9 +37,9 @@ class StreamSource {
     ++counts.symbols[static_cast<unsigned>(Clers::E)];
   }
   template <class Front, class Gate, class Then>
-  CLERS_ALWAYS_INLINE auto symbol(const Front& front, const Gate& gate, std::size_t aside,
+  CLERS_ALWAYS_INLINE auto symbol(const Front& front, const Gate& gate, std::size_t pending,
                                   Then then) {
-    return symbols_.decode(in_, front, gate, aside, [&](auto symbol) CLERS_INLINE_LAMBDA {
+    return symbols_.decode(in_, front, gate, pending, [&](auto symbol) CLERS_INLINE_LAMBDA {
       ++counts.symbols[static_cast<unsigned>(symbol())];
       return then(symbol);
     });

@@ -27,10 +27,10 @@ class EncodingSource : public EventWriter {
 
   void first() { ++next_; }
   template <class Front, class Gate, class Then>
-  auto symbol(const Front& front, const Gate& gate, std::size_t aside, Then then) {
+  auto symbol(const Front& front, const Gate& gate, std::size_t pending, Then then) {
     symbol_begins();
     const Clers symbol = static_cast<Clers>(contexts_[next_++] & 7);
-    model_.code(coder_, front, gate, aside, symbol);
+    model_.code(coder_, front, gate, pending, symbol);
     return with_symbol(symbol, then);
   }
 

@@ -137,14 +137,14 @@ void MixingModel::follow(const FrontLink* links, GateView gate) {
   gate_ = gate;
 }
 
-void MixingModel::look(const FrontLink* links, GateView gate, std::size_t aside) {
+void MixingModel::look(const FrontLink* links, GateView gate, std::size_t pending) {
   follow(links, gate);
   const Local l = local(links);
   two_edges_ = l.ring == 0;
-  find_contexts(l, aside);
+  find_contexts(l, pending);
   set_numbers(l);
   find_matches(l);
-  select(l, aside);
+  select(l, pending);
 }
 
 MixingModel::Local MixingModel::local(const FrontLink* links) const {
@@ -191,10 +191,10 @@ MixingModel::Local MixingModel::local(const FrontLink* links) const {
   return l;
 }
 
-void MixingModel::find_contexts(const Local& l, std::size_t aside) {
+void MixingModel::find_contexts(const Local& l, std::size_t pending) {
   const unsigned s1 = last(1), s12 = last(2);  // the symbol before, with the one before that
   const auto closed = [&](unsigned i) { return static_cast<unsigned>(excess_[i] + 6); };
-  const unsigned stack = static_cast<unsigned>(std::min<std::size_t>(aside, 3));
+  const unsigned stack = static_cast<unsigned>(std::min<std::size_t>(pending, 3));
   const unsigned kx = l.kx;
   const std::uint32_t hashes[] = {
       hash(0, kx),
@@ -281,7 +281,7 @@ void MixingModel::find_matches(const Local& l) {
 }
 
 /// Chooses the weights and the curves of refinement.
-void MixingModel::select(const Local& l, std::size_t aside) {
+void MixingModel::select(const Local& l, std::size_t pending) {
   const unsigned s1 = last(1);
   run_ = s1 == 0 ? 0 : std::min(run_ + 1, 7u);
   const Match& m = match_[0];
@@ -290,7 +290,7 @@ void MixingModel::select(const Local& l, std::size_t aside) {
   const auto within = [](unsigned v, unsigned most) { return std::clamp(v, 1u, most) - 1; };
   row_[0] = l.kx << 2 | s1;
   row_[1] = within(l.kp, 6) + 6 * within(l.ky, 6) + 36 * within(l.kyn, 6);
-  row_[2] = run_ + 8 * (aside == 0) + 16 * l.ring;
+  row_[2] = run_ + 8 * (pending == 0) + 16 * l.ring;
   row_[3] = expected + 6 * certainty;
   curve_context_ = {l.kx | s1 << 4 | within(l.kp, 8) << 6, hash(94, l.fan[0], l.kx) >> 22,
                     l.kx | within(l.ky, 8) << 4 | within(l.kp, 8) << 7, l.kx | expected << 4};

@@ -36,10 +36,11 @@ class MixingModel {
   bool ok() const { return true; }
 
   /// Codes the next symbol, or ignores the one it is given and decodes one. The front is as the
-  /// symbols so far left it, `aside` the number of gates put aside.
+  /// symbols so far left it, `pending` the number of pending gates.
   template <class Coder, class Front, class Gate>
-  Clers code(Coder& coder, const Front& front, const Gate& gate, std::size_t aside, Clers symbol) {
-    look(front.links(), {gate.x, gate.y, gate.kx, gate.ky}, aside);
+  Clers code(Coder& coder, const Front& front, const Gate& gate, std::size_t pending,
+             Clers symbol) {
+    look(front.links(), {gate.x, gate.y, gate.kx, gate.ky}, pending);
     // C is impossible where the curve has two edges.
     unsigned decision = two_edges_ ? 1 : 0;
     for (; decision < decisions; ++decision) {
@@ -52,10 +53,10 @@ class MixingModel {
   }
 
   template <class Front, class Gate, class Then>
-  auto decode(rans::Decoder& in, const Front& front, const Gate& gate, std::size_t aside,
+  auto decode(rans::Decoder& in, const Front& front, const Gate& gate, std::size_t pending,
               Then then) {
     DecodeFrom coder(in);
-    return with_symbol(code(coder, front, gate, aside, Clers::C), then);
+    return with_symbol(code(coder, front, gate, pending, Clers::C), then);
   }
 
  private:
@@ -87,12 +88,12 @@ class MixingModel {
   struct Local;  ///< what surrounds the gate
 
   void follow(const FrontLink* links, GateView gate);
-  void look(const FrontLink* links, GateView gate, std::size_t aside);
+  void look(const FrontLink* links, GateView gate, std::size_t pending);
   Local local(const FrontLink* links) const;
-  void find_contexts(const Local& l, std::size_t aside);
+  void find_contexts(const Local& l, std::size_t pending);
   void set_numbers(const Local& l);
   void find_matches(const Local& l);
-  void select(const Local& l, std::size_t aside);
+  void select(const Local& l, std::size_t pending);
   std::uint32_t predict(unsigned decision);
   void learn(unsigned decision, bool yes);
   void remember(unsigned symbol);

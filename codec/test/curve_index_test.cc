@@ -154,14 +154,14 @@ class Curves {
         if (gate_.size() > 3) gate_.erase(gate_.begin()), relink(gate_);
         break;
       case 8:
-        aside_.push_back(gate_);
+        pending_.push_back(gate_);
         fresh();
         break;
       case 9:
-        if (aside_.empty()) break;
+        if (pending_.empty()) break;
         gate_.erase(gate_.begin());
-        gate_.insert(gate_.begin(), aside_.back().begin(), aside_.back().end());
-        aside_.pop_back();
+        gate_.insert(gate_.begin(), pending_.back().begin(), pending_.back().end());
+        pending_.pop_back();
         relink(gate_);
         break;
       case 10: split(); break;
@@ -231,7 +231,7 @@ class Curves {
   std::vector<FrontLink> links_;
   CurveIndex index_;
   Vertices gate_;
-  std::vector<Vertices> aside_;
+  std::vector<Vertices> pending_;
   std::vector<Ring> rings_;
   std::uint32_t made_ = 1;
 };

@@ -36,7 +36,7 @@ class WrittenOutSurface {
   WrittenOutSurface() { create(); }
 
   const Curve& curve() const { return curve_; }
-  const Curve& pending() const { return aside_.back(); }
+  const Curve& pending() const { return pending_.back(); }
   std::size_t faces() const { return corners_.size() / 3; }
 
   /// Whether x may be glued to a vertex: no face has both, and none has y.
@@ -77,7 +77,7 @@ class WrittenOutSurface {
     curve_.push_back({n, side(2)});
   }
   void e() {
-    aside_.push_back(std::move(curve_));
+    pending_.push_back(std::move(curve_));
     create();
   }
   void e_new_component(bool closed) {
@@ -85,8 +85,8 @@ class WrittenOutSurface {
     create();
   }
   void s() {
-    Curve other = std::move(aside_.back());
-    aside_.pop_back();
+    Curve other = std::move(pending_.back());
+    pending_.pop_back();
     glue_to(std::move(other));
   }
   /// Of a hole or a split: the curve of d edges that is split off.
@@ -192,7 +192,7 @@ class WrittenOutSurface {
 
   std::vector<std::uint32_t> corners_, twins_, into_, finished_;
   Curve curve_;
-  std::vector<Curve> aside_, waiting_, holes_;
+  std::vector<Curve> pending_, waiting_, holes_;
   std::uint32_t components_ = 0, hole_count_ = 0, handles_ = 0;
 };
 
@@ -227,7 +227,7 @@ LegalStream legal_stream(std::uint32_t faces, Choose choose) {
   const auto l = [&] { writer.l(), surface.l(); };
   const auto r = [&] { writer.r(), surface.r(); };
   const auto s = [&] {
-    if (writer.aside() == 0) return false;
+    if (writer.pending() == 0) return false;
     // A handle may already join the two.
     const WrittenOutSurface::Curve& other = surface.pending();
     if (!surface.may_glue(other.back().vertex, other.front().vertex)) return false;
@@ -250,7 +250,7 @@ LegalStream legal_stream(std::uint32_t faces, Choose choose) {
       case 7:
       case 8: l(); break;
       case 9:
-        if (writer.aside() == 0 && writer.waiting() == 0 && choose(2) == 1) {
+        if (writer.pending() == 0 && writer.waiting() == 0 && choose(2) == 1) {
           const bool closed = closable();
           writer.e(true, closed), surface.e_new_component(closed);
         } else {
@@ -266,8 +266,8 @@ LegalStream legal_stream(std::uint32_t faces, Choose choose) {
     if (writer.faces() == before) r();  // that could not be
   }
   // A vertex of its own can be glued to all but its neighbours.
-  while (writer.waiting() > 0 || writer.aside() > 0)
-    if (!(writer.aside() > 0 ? s() : join())) l();
+  while (writer.waiting() > 0 || writer.pending() > 0)
+    if (!(writer.pending() > 0 ? s() : join())) l();
   const bool closed = closable();
   LegalStream out = surface.finish(closed);
   out.bytes = writer.finish(closed);

@@ -151,7 +151,7 @@ Bytes long_curve(std::uint32_t n, bool) {
   return writer.finish(false);
 }
 
-/// n gates are put aside, each with a curve of its own, and taken back one by one; in between a
+/// n gates are pushed, each with a curve of its own, and popped one by one; in between a
 /// handle joins what came.
 Bytes gates_aside(std::uint32_t n, bool) {
   StreamWriter writer(14 * std::size_t(n));

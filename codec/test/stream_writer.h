@@ -23,7 +23,7 @@ class StreamWriter {
   explicit StreamWriter(std::size_t most_faces) : symbols_(most_faces), answers_(stream_) {}
 
   std::uint32_t length() const { return n_; }  ///< edges of the gate's curve
-  std::size_t aside() const { return aside_.size(); }
+  std::size_t pending() const { return pending_.size(); }
   std::size_t waiting() const { return waiting_.size(); }
   std::uint32_t waiting_length(std::size_t recency) const {
     return waiting_[waiting_.size() - 1 - recency];
@@ -33,17 +33,17 @@ class StreamWriter {
   void c() { put(Clers::C), --n_; }
   void r() { put(Clers::R), ++n_, ++made_; }
   void l() { put(Clers::L), ++n_, ++made_; }
-  /// Puts the gate aside, or ends the component.
+  /// Pushes the gate, or ends the component.
   void e(bool new_component = false, bool closed = false) {
     put(Clers::E);
-    if (aside_.empty()) events_.new_component(answers_, n_ == 2, new_component);
-    new_component ? end(closed) : aside_.push_back(n_);
+    if (pending_.empty()) events_.new_component(answers_, n_ == 2, new_component);
+    new_component ? end(closed) : pending_.push_back(n_);
     n_ = 3, made_ += 3;
   }
   void s() {
     put_s(false);
-    n_ += aside_.back() - 1;
-    aside_.pop_back();
+    n_ += pending_.back() - 1;
+    pending_.pop_back();
   }
   void hole(std::uint32_t d) {
     put_special(SpecialS::hole);
@@ -65,7 +65,7 @@ class StreamWriter {
     waiting_.erase(at);
   }
 
-  /// Everything there is. Precondition: no gate is aside, no curve waits.
+  /// Everything there is. Precondition: no gate is pending, no curve waits.
   Bytes finish(bool closed) {
     end(closed);
     const std::vector<std::byte> symbols = symbols_.finish();
@@ -90,7 +90,7 @@ class StreamWriter {
   void put_s(bool special) {
     put(Clers::S);
     ++merges_;
-    if (!aside_.empty()) events_.special(answers_, special);
+    if (!pending_.empty()) events_.special(answers_, special);
   }
   void put_special(SpecialS kind) {
     put_s(true);
@@ -105,7 +105,7 @@ class StreamWriter {
   EncodeTo answers_;
   EventModel events_;
   std::uint32_t n_ = 3, faces_ = 1, made_ = 3, merges_ = 0;
-  std::vector<std::uint32_t> aside_, waiting_;  ///< lengths
+  std::vector<std::uint32_t> pending_, waiting_;  ///< lengths
 };
 
 }  // namespace clers::internal

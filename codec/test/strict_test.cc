@@ -123,7 +123,7 @@ TEST(Strict, NamesOfAttributes) {
 }
 
 TEST(Strict, MoreSThanThereIsRoomFor) {
-  // E, then S at once: nothing is put aside, and no S was declared.
+  // E, then S at once: nothing is pending, and no S was declared.
   Payload mesh;
   mesh.u8(0).varint(0).varint(2).u8(0).u8(0).u8(0).varint(1).u8(7);  // the prefix code of S
   const auto out = decode(FileBuilder().section(SectionKind::mesh, mesh.u8(0).u8(1)).finish());
