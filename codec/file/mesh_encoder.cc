@@ -10,6 +10,7 @@
 #include "codec/base/check.h"
 #include "codec/base/parallel.h"
 #include "codec/base/utf8.h"
+#include "codec/file/attribute_sums.h"
 #include "codec/file/file_order.h"
 #include "codec/file/mesh_features.h"
 #include "codec/file/metadata.h"
@@ -187,16 +188,11 @@ class MeshEncoder {
       permuted.data = permuted_values(a, all_, result.order);
       coded[i] = encode_attribute(permuted, surface, options_.level);
     });
-    bool position_seen = false;
+    AttributeSums sums(info());
     for (std::size_t i = 0; i < count; ++i) {
       if (!coded[i]) return Failure{coded[i].error()};
       const AttributeView a = mesh_.attributes[i];
-      const std::size_t bytes = coded[i]->size();
-      info().attributes.push_back({std::string(a.name), a.domain, a.scalar, a.components,
-                                   mesh_.value_count(a.domain), bytes});
-      const bool position = !position_seen && a.domain == Domain::vertex && a.name == position_name;
-      position_seen |= position;
-      (position ? info().position_bytes : info().attribute_bytes) += bytes;
+      sums.add(i, a, mesh_.value_count(a.domain), coded[i]->size());
       put(SectionKind::attribute, std::move(*coded[i]));
     }
     return Done{};

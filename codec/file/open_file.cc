@@ -4,30 +4,12 @@
 #include <utility>
 
 #include "codec/base/in_mesh.h"
+#include "codec/file/attribute_sums.h"
 #include "codec/file/container.h"
 #include "codec/file/metadata.h"
 
 namespace clers::internal {
 namespace {
-
-/// What the attributes of a piece cost; those of all pieces are the same ones.
-void add_attributes(const PieceSections& piece, MeshInfo& mesh) {
-  const bool first = mesh.attributes.empty();
-  bool position_seen = false;
-  if (first) mesh.attributes.reserve(piece.attributes.size());
-  for (std::size_t i = 0; i < piece.attributes.size(); ++i) {
-    const PieceSections::AttributeSection& a = piece.attributes[i];
-    const Attribute& what = a.header.attribute;
-    if (first)
-      mesh.attributes.push_back({what.name, what.domain, what.scalar, what.components, 0, 0});
-    mesh.attributes[i].count += a.count - (what.domain == Domain::vertex ? piece.seam.shared : 0);
-    mesh.attributes[i].bytes += a.bytes.size();
-    const bool position =
-        !position_seen && what.domain == Domain::vertex && what.name == position_name;
-    position_seen |= position;
-    (position ? mesh.position_bytes : mesh.attribute_bytes) += a.bytes.size();
-  }
-}
 
 Expected<MeshInfo> info_of(const MeshSections& s, bool with_metadata) {
   MeshInfo mesh;
@@ -38,6 +20,8 @@ Expected<MeshInfo> info_of(const MeshSections& s, bool with_metadata) {
   mesh.triangles_only = !s.may_have_sizes();
   mesh.pieces = s.pieces.size();
   mesh.order_bytes = mesh.connectivity_bytes = s.order.bytes.size();
+  AttributeSums sums(mesh);
+  mesh.attributes.reserve(s.pieces[0].attributes.size());
   for (const PieceSections& piece : s.pieces) {
     mesh.copied_vertices += piece.copies.copies;
     mesh.repeated_faces += piece.repeats.faces;
@@ -47,7 +31,12 @@ Expected<MeshInfo> info_of(const MeshSections& s, bool with_metadata) {
     mesh.stitching_bytes += piece.reversed.stream.bytes.size() + piece.copies.stream.bytes.size() +
                             piece.repeats.stream.bytes.size() + piece.folded.stream.bytes.size() +
                             piece.degenerate.stream.bytes.size() + piece.seam_size;
-    add_attributes(piece, mesh);
+    for (std::size_t i = 0; i < piece.attributes.size(); ++i) {
+      const PieceSections::AttributeSection& a = piece.attributes[i];
+      const Attribute& what = a.header.attribute;
+      sums.add(i, what, a.count - (what.domain == Domain::vertex ? piece.seam.shared : 0),
+               a.bytes.size());
+    }
   }
   if (s.metadata) mesh.metadata_bytes = s.metadata->payload_size;
   if (s.metadata && with_metadata) {

@@ -5,6 +5,7 @@
 
 #include "codec/base/faces.h"
 #include "codec/base/no_index.h"
+#include "codec/file/attribute_sums.h"
 #include "codec/file/file_order.h"
 #include "codec/pieces/seams.h"
 
@@ -12,7 +13,7 @@ namespace clers::internal {
 namespace {
 
 /// Adds what is said of a piece that shares vertices with those before.
-void add(const MeshInfo& piece, std::uint64_t shared, MeshInfo& whole) {
+void add(const MeshInfo& piece, std::uint64_t shared, MeshInfo& whole, AttributeSums& sums) {
   whole.vertices += piece.vertices - shared;
   whole.faces += piece.faces;
   whole.corners += piece.corners;
@@ -23,14 +24,9 @@ void add(const MeshInfo& piece, std::uint64_t shared, MeshInfo& whole) {
   whole.connectivity_bytes += piece.connectivity_bytes;
   whole.polygon_bytes += piece.polygon_bytes;
   whole.stitching_bytes += piece.stitching_bytes;
-  whole.position_bytes += piece.position_bytes;
-  whole.attribute_bytes += piece.attribute_bytes;
-  const bool first = whole.attributes.empty();
   for (std::size_t i = 0; i < piece.attributes.size(); ++i) {
     const AttributeInfo& a = piece.attributes[i];
-    if (first) whole.attributes.push_back({a.name, a.domain, a.scalar, a.components, 0, 0});
-    whole.attributes[i].count += a.count - (a.domain == Domain::vertex ? shared : 0);
-    whole.attributes[i].bytes += a.bytes;
+    sums.add(i, a, a.count - (a.domain == Domain::vertex ? shared : 0), a.bytes);
   }
 }
 
@@ -61,6 +57,7 @@ EncodedMesh join_pieces(std::vector<EncodedMesh> pieces, const MeshView& mesh, O
   whole.order.faces.reserve(mesh.face_count());
   whole.order.first_corners.reserve(mesh.face_count());
   std::vector<std::uint32_t> number(mesh.vertex_count, no_index), numbers;
+  AttributeSums sums(whole.info);
   for (EncodedMesh& piece : pieces) {
     const std::uint32_t first_own = static_cast<std::uint32_t>(whole.order.vertices.size());
     numbers.clear();
@@ -87,7 +84,7 @@ EncodedMesh join_pieces(std::vector<EncodedMesh> pieces, const MeshView& mesh, O
       whole.info.stitching_bytes += seam.size();
       whole.sections.push_back({SectionKind::seam, std::move(seam)});
     }
-    add(piece.info, shared, whole.info);
+    add(piece.info, shared, whole.info, sums);
     add(piece.counts, whole.counts);
     piece = {};
   }
