@@ -3,11 +3,10 @@
 #include "codec/file/decode_meshes.h"
 
 #include <algorithm>
-#include <atomic>
 #include <utility>
 
 #include "codec/base/in_mesh.h"
-#include "codec/base/parallel.h"
+#include "codec/file/decode_jobs.h"
 
 namespace clers::internal {
 namespace {
@@ -64,26 +63,18 @@ Expected<std::vector<Mesh>> decode_meshes(std::span<const MeshSections> sections
   std::vector<Mesh> meshes(sections.size());
   for (std::size_t i = 0; i < meshes.size(); ++i)
     if (sections[i].pieces.size() > 1) meshes[i] = make_room(sections[i], values);
-  std::vector<Expected<Done>> outcomes(jobs.size(), Done{});
-  std::atomic<std::size_t> done{0};
   const unsigned threads_inside = jobs.size() > 1 ? 1 : options.threads;
-  const unsigned workers =
-      workers_that_fit(plan->work, options.threads, budget.left() - plan->results);
-  for_each_item(jobs.size(), workers, [&](std::size_t j, unsigned worker) {
-    if (options.progress && worker == 0)
-      options.progress("decode", static_cast<double>(done) / static_cast<double>(jobs.size()));
-    const MeshSections& from = sections[jobs[j].mesh];
-    const PieceSections& part = from.pieces[jobs[j].piece];
-    Mesh& mesh = meshes[jobs[j].mesh];
-    auto piece = decode_piece(part, values, threads_inside, budget.left());
-    if (!piece)
-      outcomes[j] = Failure{piece.error()};
-    else if (from.pieces.size() > 1)
-      outcomes[j] = put_piece(part, piece->mesh, mesh);
-    else
-      mesh = std::move(piece->mesh);
-    ++done;
-  });
+  const auto outcomes = run_decode_jobs(
+      plan->work, budget.left() - plan->results, options, [&](std::size_t j) -> Expected<Done> {
+        const MeshSections& from = sections[jobs[j].mesh];
+        const PieceSections& part = from.pieces[jobs[j].piece];
+        Mesh& mesh = meshes[jobs[j].mesh];
+        auto piece = decode_piece(part, values, threads_inside, budget.left());
+        if (!piece) return Failure{piece.error()};
+        if (from.pieces.size() > 1) return put_piece(part, piece->mesh, mesh);
+        mesh = std::move(piece->mesh);
+        return Done{};
+      });
   for (std::size_t j = 0; j < jobs.size(); ++j)
     if (!outcomes[j]) return in_mesh(outcomes[j].error(), jobs[j].mesh, meshes.size());
   for (std::size_t i = 0; i < meshes.size(); ++i)

@@ -2,14 +2,13 @@
 #include "codec/file/target_decoder.h"
 
 #include <algorithm>
-#include <atomic>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "codec/base/check.h"
 #include "codec/base/faces.h"
-#include "codec/base/parallel.h"
+#include "codec/file/decode_jobs.h"
 #include "codec/file/decode_meshes.h"
 #include "codec/file/mesh_decoder.h"
 #include "codec/soup/edges.h"
@@ -122,16 +121,7 @@ Expected<Done> for_each_piece(const MeshSections& mesh, std::vector<std::uint64_
   const std::size_t pieces = mesh.pieces.size();
   if (auto ok = budget.take(pieces * sizeof(Expected<Done>)); !ok) return ok;
   if (auto ok = budget.check(*std::max_element(work.begin(), work.end())); !ok) return ok;
-  std::vector<Expected<Done>> outcomes(pieces, Done{});
-  std::atomic<std::size_t> done{0};
-  const unsigned workers = workers_that_fit(std::move(work), options.threads, budget.left());
-  for_each_item(pieces, workers, [&](std::size_t k, unsigned worker) {
-    if (options.progress && worker == 0)
-      options.progress("decode", static_cast<double>(done) / static_cast<double>(pieces));
-    outcomes[k] = decode(k);
-    ++done;
-  });
-  for (const auto& ok : outcomes)
+  for (const auto& ok : run_decode_jobs(std::move(work), budget.left(), options, decode))
     if (!ok) return ok;
   return Done{};
 }
