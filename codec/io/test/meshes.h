@@ -8,7 +8,6 @@
 #include <cstring>
 #include <initializer_list>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "codec/io/io.h"
@@ -22,14 +21,6 @@ inline std::vector<std::byte> bytes_of(std::string_view text) {
 
 inline std::string text_of(const std::vector<std::byte>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
-template <class T>
-constexpr Scalar scalar_of() {
-  if constexpr (std::is_same_v<T, float>) return Scalar::float32;
-  if constexpr (std::is_same_v<T, double>) return Scalar::float64;
-  constexpr unsigned log2 = sizeof(T) == 1 ? 0 : sizeof(T) == 2 ? 1 : sizeof(T) == 4 ? 2 : 3;
-  return static_cast<Scalar>(2 * log2 + std::is_unsigned_v<T>);
 }
 
 template <class T>
