@@ -1,8 +1,8 @@
 // A whole surface from the corners of its triangles: finds what is glued to what.
 #include <algorithm>
-#include <numeric>
 #include <optional>
 
+#include "topology/buckets.h"
 #include "topology/surface.h"
 
 namespace CLERS_VISIBLE clers {
@@ -17,27 +17,12 @@ std::uint32_t next_corner(std::uint32_t h) {
   return lnext(HalfEdge(h)).index();
 }
 
-/// The half-edges by the lower of their ends, in the order of their ids: those of vertex v are
-/// order[first[v]] .. order[first[v + 1] - 1].
-struct Buckets {
-  std::vector<std::uint32_t> first, order;
-
-  Buckets(std::span<const std::uint32_t> corners, std::uint32_t vertex_count)
-      : first(std::size_t{vertex_count} + 1), order(corners.size()) {
-    const auto low = [&](std::uint32_t h) { return std::min(corners[h], corners[next_corner(h)]); };
-    const auto n = static_cast<std::uint32_t>(corners.size());
-    for (std::uint32_t h = 0; h < n; ++h) ++first[low(h) + std::size_t{1}];
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<std::uint32_t> at(first.begin(), first.end() - 1);
-    for (std::uint32_t h = 0; h < n; ++h) order[at[low(h)]++] = h;
-  }
-};
-
 /// Pairs the half-edges between the same two vertices; if some edge has too many or they run the
 /// same way, returns that with the lowest half-edge.
 std::optional<BrokenRule> pair_half_edges(std::span<const std::uint32_t> corners,
                                           std::uint32_t vertex_count, std::span<HalfEdge> twins) {
-  const Buckets buckets(corners, vertex_count);
+  const auto low = [&](std::uint32_t h) { return std::min(corners[h], corners[next_corner(h)]); };
+  const internal::Buckets by_low(static_cast<std::uint32_t>(corners.size()), vertex_count, low);
   /// The edge from the vertex whose bucket is looked at to another.
   struct Edge {
     std::uint32_t from = Vertex::null_index;  // the vertex for which the rest was written
@@ -49,9 +34,7 @@ std::optional<BrokenRule> pair_half_edges(std::span<const std::uint32_t> corners
     if (!worst || h < worst->element) worst = BrokenRule{rule, h};
   };
   for (std::uint32_t v = 0; v < vertex_count; ++v) {
-    const std::span<const std::uint32_t> bucket =
-        std::span(buckets.order)
-            .subspan(buckets.first[v], buckets.first[v + std::size_t{1}] - buckets.first[v]);
+    const std::span<const std::uint32_t> bucket = by_low[v];
     const auto edge_of = [&](std::uint32_t h) -> Edge& {
       return edge_to[std::max(corners[h], corners[next_corner(h)])];
     };

@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "codec/base/buckets.h"
 #include "codec/comparison/compared_mesh.h"
 #include "codec/comparison/components.h"
 #include "codec/verdict.h"
+#include "topology/buckets.h"
 
 namespace clers::internal {
 

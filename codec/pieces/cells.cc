@@ -7,9 +7,9 @@
 #include <span>
 
 #include "codec/attributes/transform.h"
-#include "codec/base/buckets.h"
 #include "codec/base/no_index.h"
 #include "codec/base/parallel.h"
+#include "topology/buckets.h"
 
 namespace clers::internal {
 namespace {

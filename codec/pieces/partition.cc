@@ -5,13 +5,13 @@
 #include <numeric>
 #include <utility>
 
-#include "codec/base/buckets.h"
 #include "codec/base/disjoint_sets.h"
 #include "codec/base/faces.h"
 #include "codec/base/no_index.h"
 #include "codec/base/parallel.h"
 #include "codec/pieces/bisection.h"
 #include "codec/pieces/cells.h"
+#include "topology/buckets.h"
 
 namespace clers::internal {
 namespace {

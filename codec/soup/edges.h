@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "codec/base/buckets.h"
 #include "codec/base/faces.h"
+#include "topology/buckets.h"
 
 namespace clers::internal {
 

@@ -7,10 +7,10 @@
 #include <numeric>
 #include <vector>
 
-#include "codec/base/buckets.h"
 #include "codec/base/disjoint_sets.h"
 #include "codec/base/faces.h"
 #include "codec/base/least_rotation.h"
+#include "topology/buckets.h"
 
 namespace clers::internal {
 namespace {

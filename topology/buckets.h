@@ -1,7 +1,7 @@
 // Numbers sorted by keys that are numbers too: a counting sort. Corners by vertex, mostly, though
 // this knows of neither.
-#ifndef CLERS_CODEC_BASE_BUCKETS_H
-#define CLERS_CODEC_BASE_BUCKETS_H
+#ifndef CLERS_TOPOLOGY_BUCKETS_H
+#define CLERS_TOPOLOGY_BUCKETS_H
 
 #include <cstddef>
 #include <cstdint>
