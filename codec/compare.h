@@ -2,10 +2,13 @@
 #ifndef CLERS_CODEC_COMPARE_H
 #define CLERS_CODEC_COMPARE_H
 
+#include <optional>
+#include <span>
 #include <string>
 
 #include <clers/error.h>
 #include <clers/mesh.h>
+#include <clers/order.h>
 #include <clers/topology/export.h>
 #include <clers/verdict.h>
 
@@ -21,6 +24,24 @@ namespace CLERS_VISIBLE clers {
 /// them, but they are different (a regular torus, cut and sewn another way), a search takes
 /// some seconds more before it gives up.
 Expected<Comparison> compare(const Mesh& a, const Mesh& b);
+
+/// How far components of values may be apart.
+struct Tolerance {
+  std::string name;
+  double error = 0;                   ///< at least 0
+  std::optional<Domain> domain = {};  ///< not set: any
+};
+
+/// The same with some attributes compared within a tolerance. A NaN agrees with NaNs only, of any
+/// bits, an infinity with itself. Never "same" without a renumbering under which all agree;
+/// "undecided" where values are too close to each other to find it. Further error: bad_option, a
+/// tolerance that is negative or not finite.
+Expected<Comparison> compare(const Mesh& a, const Mesh& b, std::span<const Tolerance> tolerances);
+
+/// The same under the renumbering that is given, that which makes `b` of `a` (Encoded::permutations
+/// where `b` is `a` encoded and decoded). Further error: bad_option, no such renumbering.
+Expected<Comparison> compare(const Mesh& a, const Mesh& b, std::span<const Tolerance> tolerances,
+                             const Permutation& renumbering);
 
 /// The first difference of their metadata, for people ("metadata 'comment': only the first has
 /// it"); empty if there is none. The order of entries does not matter.

@@ -12,6 +12,7 @@
 #include <clers/mesh_view.h>
 #include <clers/options.h>
 #include <clers/order.h>
+#include <clers/precision.h>
 #include <clers/topology/export.h>
 
 namespace CLERS_VISIBLE clers {
@@ -22,6 +23,7 @@ struct Encoded {
   std::vector<Permutation> permutations;
   std::vector<MeshInfo> report;      ///< as Decoder::info of the bytes, but for metadata
   std::vector<CodingCounts> counts;  ///< as inspect of the bytes
+  std::vector<Warning> warnings;     ///< of all meshes
 };
 
 /// Encodes a mesh into a .clers file. A Mesh converts to a view: encode(mesh).

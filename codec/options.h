@@ -6,9 +6,11 @@
 #include <functional>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include <clers/limits.h>
 #include <clers/order.h>
+#include <clers/precision.h>
 #include <clers/topology/export.h>
 
 namespace CLERS_VISIBLE clers {
@@ -38,6 +40,11 @@ struct EncodeOptions {
   /// bytes do not depend on it.
   unsigned threads = 1;
 
+  /// How exactly the values of attributes come back. What is not named here is lossless. Errors:
+  /// bad_option where no mesh has such an attribute, where one is named twice, and for numbers out
+  /// of their range.
+  std::vector<AttributePrecision> precisions = {};
+
   Order order = Order::free;
   DefectPolicy on_nonmanifold = DefectPolicy::keep;  ///< an edge of more than two faces, or of two
                                                      ///< that run along it the same way; a vertex
@@ -49,6 +56,13 @@ struct EncodeOptions {
   /// If not empty, called from the calling thread with the name of the stage and the share of the
   /// work that is done, 0 to 1, never decreasing. What it throws ends the work and passes through.
   std::function<void(std::string_view stage, double done)> progress = {};
+
+  /// What is asked for an attribute.
+  Precision precision_of(std::string_view name, Domain domain = Domain::vertex) const {
+    for (const AttributePrecision& asked : precisions)
+      if (asked.name == name && (!asked.domain || asked.domain == domain)) return asked.precision;
+    return {};
+  }
 };
 
 struct DecodeOptions {

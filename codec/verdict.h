@@ -3,20 +3,32 @@
 #define CLERS_CODEC_VERDICT_H
 
 #include <string>
+#include <vector>
 
+#include <clers/mesh.h>
 #include <clers/topology/export.h>
 
 namespace CLERS_VISIBLE clers {
 
 enum class Verdict {
-  same,       ///< a renumbering was found under which all faces and values agree bit for bit
+  same,       ///< a renumbering was found under which all faces agree, and all values: bit for bit,
+              ///< or within a tolerance
   different,  ///< no renumbering can exist
   undecided,  ///< neither could be shown within the work allowed, or colours collided
+};
+
+/// The largest difference of any component of an attribute.
+struct FoundError {
+  std::string attribute;
+  Domain domain = Domain::vertex;
+  double error = 0;
 };
 
 struct Comparison {
   Verdict verdict = Verdict::undecided;
   std::string what;  ///< the first difference, for people; empty when same
+  /// Of the attributes that are compared within a tolerance, under the renumbering that was found.
+  std::vector<FoundError> errors = {};
 };
 
 }  // namespace clers
