@@ -9,10 +9,12 @@
 #include <span>
 #include <string>
 
+#include "codec/attributes/number_system.h"
 #include "codec/attributes/prediction.h"
 #include "codec/base/utf8.h"
 #include "codec/entropy/bytes.h"
 #include "codec/error.h"
+#include "codec/info.h"
 #include "codec/mesh.h"
 
 namespace clers::internal {
@@ -35,14 +37,33 @@ constexpr const char* name(Coder c) {
   return names[static_cast<unsigned>(c)];
 }
 
+/// What stands for the number system of words.
+inline constexpr char words_text[] = "words";
+
+/// The number systems of all components: one, if they all have the same.
+inline std::string in_words(const Numbers& numbers) {
+  std::string all;
+  bool same = true;
+  const std::string first = describe(numbers, 0);
+  for (std::size_t c = 0; c < numbers.systems.size(); ++c) {
+    const std::string one = describe(numbers, c);
+    same &= one == first;
+    all += (c > 0 ? " | " : "") + one;
+  }
+  return same ? first : all;
+}
+
 struct AttributeHeader {
   Attribute attribute;  ///< without data
   double error = 0;     ///< no component is further from what was encoded
   Coder coder = Coder::words;
+  bool narrow = true;                     ///< integers are std::int32_t
   Predictor predictor = Predictor::none;  ///< of words and planes
   std::size_t bytes = 0;                  ///< that the header takes
 
   bool in_planes() const { return coder == Coder::words || coder == Coder::planes; }
+  /// Residuals can be read before there are faces.
+  bool begins_without_faces() const { return coder <= Coder::tables; }
 };
 
 /// What must be decoded before values can be.
@@ -55,6 +76,16 @@ inline Along along(const AttributeHeader& header) {
                                                                         : Along::twins;
 }
 
+/// What a report says of it, by the header alone.
+inline AttributeInfo info_of(const AttributeHeader& header) {
+  const Attribute& a = header.attribute;
+  AttributeInfo info{a.name, a.domain, a.scalar, a.components};
+  info.coder = name(header.coder);
+  info.quantised = header.error > 0;
+  info.error = header.error;
+  return info;
+}
+
 inline void put_attribute_header(Bytes& out, const AttributeHeader& header) {
   const Attribute& a = header.attribute;
   put_u8(out, static_cast<std::uint32_t>(a.name.size()));
@@ -62,7 +93,8 @@ inline void put_attribute_header(Bytes& out, const AttributeHeader& header) {
   put_u8(out, static_cast<std::uint32_t>(a.domain));
   put_u8(out, static_cast<std::uint32_t>(a.scalar));
   put_u8(out, a.components);
-  put_u8(out, static_cast<std::uint32_t>(header.coder) | (header.error > 0 ? 0x80 : 0));
+  put_u8(out, static_cast<std::uint32_t>(header.coder) | (header.narrow ? 0 : 0x40) |
+                  (header.error > 0 ? 0x80 : 0));
   if (header.error > 0) {
     const std::uint64_t error = std::bit_cast<std::uint64_t>(header.error);
     put_u32(out, static_cast<std::uint32_t>(error));
@@ -84,7 +116,7 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
     const std::uint64_t low = in.u32(), high = in.u32();
     header.error = std::bit_cast<double>(low | high << 32);
   }
-  const std::uint32_t coder = how & 0x7f;
+  const std::uint32_t coder = how & 0x3f;
   const std::uint32_t predictor = coder <= static_cast<std::uint32_t>(Coder::planes) ? in.u8() : 0;
   if (!in.ok()) return Failure{in.error()};
   const auto invalid = [&](const char* what, std::uint32_t value) {
@@ -108,6 +140,8 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
   header.attribute.scalar = static_cast<Scalar>(scalar);
   header.attribute.components = static_cast<std::uint8_t>(components);
   header.coder = static_cast<Coder>(coder);
+  header.narrow = (how & 0x40) == 0;
+  if (header.coder == Coder::words && !header.narrow) return invalid("coder", how);
   header.predictor = static_cast<Predictor>(predictor);
   header.bytes = in.position();
   return header;

@@ -104,9 +104,8 @@ inline Expected<Done> unpack_planes(std::span<const std::byte> packed, std::uint
                                     WordShape shape, std::span<std::byte> rows) {
   auto planes = unpack_frame(packed, at, rows.size(), "the values");
   if (!planes) return Failure{planes.error()};
-  with_word(shape.scalar, [&](auto word) {
-    from_planes<decltype(word)>(*planes, shape.components, rows);
-  });
+  with_word(shape.scalar,
+            [&](auto word) { from_planes<decltype(word)>(*planes, shape.components, rows); });
   return Done{};
 }
 
@@ -116,8 +115,7 @@ inline void add_predictions(Predictor predictor, WordShape shape, const CodedSur
   const std::size_t count = words.size() / shape.row_size();
   with_word(shape.scalar, [&](auto word) {
     with_components(shape.components, [&](auto n) {
-      add_predictions<decltype(word)>(predictor, count, n, surface, residuals.data(),
-                                      words.data());
+      add_predictions<decltype(word)>(predictor, count, n, surface, residuals.data(), words.data());
     });
   });
 }

@@ -208,8 +208,8 @@ PieceMemory memory_of(const PieceSections& s, Values values) {
     if (along == Along::twins) {
       const std::uint64_t twins = sizeof(HalfEdge) * 3 * s.connectivity.faces;
       held += twins;
-      memory.faces += connectivity_memory(s.connectivity, true) -
-                      connectivity_memory(s.connectivity, false);
+      memory.faces +=
+          connectivity_memory(s.connectivity, true) - connectivity_memory(s.connectivity, false);
     }
     memory.faces += held;
     memory.values += held;
@@ -239,9 +239,9 @@ unsigned workers_of(const PieceSections& sections, const PieceMemory& memory, un
   steps.reserve(attributes);
   std::uint64_t read = 0;
   for (const PieceSections::AttributeSection& a : sections.attributes) {
-    const ValuesMemory values = memory_of(a);
-    steps.push_back(values.step);
-    read += values.held;
+    const ValuesMemory of_values = memory_of(a);
+    steps.push_back(of_values.step);
+    read += of_values.held;
   }
   std::sort(steps.begin(), steps.end(), std::greater<>());
   const std::uint64_t held = memory.values - steps[0];
@@ -289,11 +289,12 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
   std::vector<Expected<Done>> finished(attributes, Done{});
   for_each_item(attributes, workers, [&](std::size_t i, unsigned) {
     const PieceSections::AttributeSection& a = sections.attributes[i];
-    auto values = finish_attribute(a.bytes, a.at, a.header, std::move(*begun[i]), surface);
-    if (values)
-      result.mesh.attributes[i] = std::move(*values);
+    auto attribute =
+        finish_attribute(a.bytes, a.at, a.header, a.count, std::move(*begun[i]), surface);
+    if (attribute)
+      result.mesh.attributes[i] = std::move(*attribute);
     else
-      finished[i] = Failure{values.error()};
+      finished[i] = Failure{attribute.error()};
   });
   for (const auto& ok : finished)
     if (!ok) return Failure{ok.error()};
