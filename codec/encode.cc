@@ -39,6 +39,7 @@ std::uint32_t piece_faces(const MeshView& mesh, const EncodeOptions& options) {
 struct Work {
   std::unique_ptr<PieceCutter> cutter;       ///< none: the mesh is whole
   std::vector<Expected<EncodedMesh>> coded;  ///< a mesh, or pieces
+  std::vector<AttributePlan> plans;          ///< one an attribute, or none at all
 };
 
 Work prepare(const MeshView& mesh, const EncodeOptions& options, unsigned threads) {
@@ -112,10 +113,11 @@ Expected<Encoded> encode_meshes(std::span<const MeshView> given, const EncodeOpt
     };
     Work& work = works[jobs[j].mesh];
     const std::size_t k = jobs[j].piece;
-    work.coded[k] = work.cutter
-                        ? encode_piece(work.cutter->cut(k, memory[worker]), work.cutter->faces(k),
-                                       in_pieces, progress)
-                        : encode_mesh(meshes[jobs[j].mesh], options, threads_inside, progress);
+    work.coded[k] =
+        work.cutter
+            ? encode_piece(work.cutter->cut(k, memory[worker]), work.cutter->faces(k), in_pieces,
+                           work.plans, progress)
+            : encode_mesh(meshes[jobs[j].mesh], options, work.plans, threads_inside, progress);
     ++done;
   });
   for (const Job& job : jobs)
