@@ -18,6 +18,9 @@ namespace {
 
 using Kind = Precision::Kind;
 
+/// So far from its origin a number may be: there doubles still tell all points of a grid apart.
+constexpr double most_steps = double(std::int64_t(1) << 50);
+
 /// origin + k * step, of one component.
 struct Grid {
   double origin = 0, step = 0;
@@ -143,30 +146,27 @@ struct Moved {
   std::optional<std::size_t> too_far = {};  ///< the first number that is too far away
 };
 
-/// Moves the numbers of a component to a grid, and sets `system.first`.
+/// Moves the numbers of a component to a grid.
 template <class T>
 Moved<T> move_to(const std::vector<T>& numbers, const Grid& grid, bool keep_zeros,
-                 NumberSystem& system) {
+                 const NumberSystem& system) {
   Moved<T> moved;
   moved.numbers.resize(numbers.size());
-  std::int64_t least = most_exact;
   with_points<T>(system, [&](const auto& point) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const T x = numbers[i];
       const double k = as_stored(as_stored(static_cast<double>(x) - grid.origin) / grid.step);
-      if (!(std::fabs(k) < 0.99 * double(most_exact))) {
+      if (!(std::fabs(k) < most_steps)) {
         moved.too_far = i;
         return;
       }
       double error = 0;
       const std::int64_t n = nearest_point(x, nearest_integer(k), grid.step, point, error);
-      least = std::min(least, n);
       const T y = point(n);
       moved.numbers[i] = keep_zeros && x == y ? x : y;
       moved.error = std::max(moved.error, error);
     }
   });
-  system.first = least * static_cast<std::int64_t>(system.step);
   return moved;
 }
 
@@ -269,7 +269,7 @@ class Quantiser {
     for (const double size : {step, as_stored(step - 2 * unit)}) {
       if (!(size > 0) || std::isinf(size)) break;
       auto quantised = move_all(std::vector<Grid>(numbers_.size(), Grid{0, size}), false);
-      if (quantised && quantised->error <= error) return quantised;
+      if (quantised && quantised->plan.error <= error) return quantised;
     }
     return QuantisedValues{};
   }
@@ -279,15 +279,15 @@ class Quantiser {
     if (!std::is_floating_point_v<T> && grids[0].step <= 1) return all;
     std::vector<std::vector<T>> moved;
     for (std::size_t c = 0; c < numbers_.size(); ++c) {
-      NumberSystem system = system_of(grids[c], a_.scalar, bounds_[c].largest());
+      const NumberSystem system = system_of(grids[c], a_.scalar, bounds_[c].largest());
       Moved<T> component = move_to(numbers_[c], grids[c], keep_zeros, system);
       if (component.too_far)
         return not_on_grid(a_, *component.too_far, "is too many steps away from the origin");
-      all.error = std::max(all.error, component.error);
-      all.systems.push_back(system);
+      all.plan.error = std::max(all.plan.error, component.error);
+      all.plan.systems.push_back(system);
       moved.push_back(std::move(component.numbers));
     }
-    if (all.error == 0 && !keep_zeros) moved = numbers_;  // zeros keep their sign
+    if (all.plan.error == 0) return QuantisedValues{};
     all.values.resize(count_ * a_.value_size());
     for (std::size_t c = 0; c < moved.size(); ++c)
       for (std::size_t i = 0; i < count_; ++i)

@@ -8,9 +8,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "codec/attributes/number_system.h"
+#include "codec/attributes/attribute_encoder.h"
 #include "codec/error.h"
 #include "codec/mesh_view.h"
 #include "codec/precision.h"
@@ -24,10 +25,9 @@ struct Outliers {
 };
 
 struct QuantisedValues {
-  /// As they are decoded, packed; empty: as they were given, for the grid is no coarser than they.
-  std::vector<std::byte> values;
-  std::vector<NumberSystem> systems;  ///< one a component, if there are values
-  double error = 0;                   ///< the largest difference of a component to what was given
+  /// Has no systems, and no error, where all values stay as they are, bit for bit.
+  AttributePlan plan;
+  std::vector<std::byte> values;  ///< as they are decoded, packed, if there is an error
   std::optional<Outliers> outliers = {};
 };
 
