@@ -308,13 +308,19 @@ RC_GTEST_PROP(Quantise, TheErrorStatedIsTheErrorFound, ()) {
       std::memcpy(&x, &word, sizeof x);
     } while (!std::isfinite(x));
   const int bits = min_bits + static_cast<int>(pick(max_bits));
-  double error = 0, longest = 0;
+  double error = 0, longest = 0, largest = 0;
   quantised(values, 3, Precision::of_bits(bits), &error);
-  for (std::size_t c = 0; c < 3; ++c)
-    for (std::size_t i = c; i < values.size(); i += 3)
-      longest = std::max(longest, difference(values[c], values[i]));
-  RC_ASSERT(error <= longest / (std::ldexp(1., bits) - 1) +
-                         rounding<float>(double(std::numeric_limits<float>::max()) / 2));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    largest = std::max(largest, std::fabs(double(values[i])));
+    for (std::size_t j = i % 3; j < i; j += 3)
+      longest = std::max(longest, difference(values[i], values[j]));
+  }
+  const double step = longest / (std::ldexp(1., bits) - 1);
+  const bool in_range = largest + step / 2 <= double(std::numeric_limits<float>::max());
+  const double rounded =
+      2 *
+      rounding<float>(std::min(largest + step / 2, double(std::numeric_limits<float>::max()) / 2));
+  RC_ASSERT(error <= (in_range ? step / 2 : step) + rounded);
 }
 
 }  // namespace
