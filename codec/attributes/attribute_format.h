@@ -81,7 +81,6 @@ inline AttributeInfo info_of(const AttributeHeader& header) {
   const Attribute& a = header.attribute;
   AttributeInfo info{a.name, a.domain, a.scalar, a.components};
   info.coder = name(header.coder);
-  info.quantised = header.error > 0;
   info.error = header.error;
   return info;
 }
