@@ -6,12 +6,16 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "codec/attributes/copies.h"
 #include "codec/attributes/lattice.h"
 #include "codec/attributes/mixed_correction.h"
 #include "codec/attributes/mixed_covariance.h"
 #include "codec/attributes/mixed_decisions.h"
+#include "codec/attributes/mirror.h"
+#include "codec/attributes/mixed_guess.h"
 #include "codec/attributes/mixed_mixing.h"
 #include "codec/attributes/mixed_scales.h"
 #include "codec/attributes/mixed_space.h"
@@ -30,22 +34,35 @@ struct Past {
 template <class Int>
 class Model {
  public:
-  Model(const Lattice<Int>& lattice)
+  Model(const CodedSurface& surface, const Lattice<Int>& lattice,
+        const std::optional<MirrorPlane>& plane, const Originals* originals)
       : rows_(lattice.rows.data()), axes_(lattice.axes), space_(axes_), past_(lattice.count()) {
     coarser_ = static_cast<int>(space_.bits() > 31 ? space_.bits() - 31 : 0) - 4;
     edge_log_ = static_cast<int>(space_.bits()) * 256 - 1024;
     lonely_[0] = lonely_[1] = edge_log_ - 512;
     least_size_ = std::min({space_.step(0), space_.step(1), space_.step(2)}) - 512;
     if (space_.drop()) least_size_ = -512;
+    if (plane) mirror_.emplace(*plane, rows_, lattice.count(), surface);
+    if (originals) copies_.emplace(*originals, rows_, axes_);
+    guess_[0].emplace(edge_log_ - 1024);
+    guess_[1].emplace(edge_log_ - 1024);
   }
 
   /// Codes vertex v, about which the star is known; before: a vertex coded before, if there is any.
   template <class Coder>
   bool code(Coder& coder, std::uint32_t v, const Star& star, std::uint32_t before) {
-    if (star.parallelograms == 0) return code_lonely(coder, v, star, before);
-    look(star);
-    predict(star);
-    return code_components(coder, v, star);
+    partner_ = Mirror<Int>::nobody;
+    if (star.parallelograms == 0) {
+      if (!code_lonely(coder, v, star, before)) return false;
+    } else {
+      look(star);
+      predict(star);
+      guess(v, star);
+      if (!code_components(coder, v, star)) return false;
+    }
+    if (mirror_) mirror_->known(v, partner_);
+    if (copies_) copies_->known(v);
+    return true;
   }
 
  private:
@@ -235,7 +252,43 @@ class Model {
                       least_size_);
   }
 
-  static constexpr unsigned present_ = 0x5f;
+  /// Experts that know of other places.
+  void guess(std::uint32_t v, const Star& star) {
+    present_ = 0x5f;
+    const Star::Parallelogram& gate = star.parallelogram[0];
+    const int edge = edge_ - frame_.finer * 256;
+    const auto place = [&](const std::array<Int, 3>& row) { return frame_.local(space_.point(row.data()) - frame_.origin); };
+    if (copies_) {
+      std::array<Int, 3> row;
+      if (copies_->guess(v, gate.a, gate.b, gate.c, row.data())) {
+        present_ |= 1 << 5;
+        copy_ = place(row);
+        const int expected = static_cast<int>(copies_->expected()) * 16 - 256;
+        guess_[0]->predict(expected, least_size_, size(copy_ - corrected_), across_, edge);
+      }
+    }
+    if (mirror_) {
+      std::array<Int, 3> row;
+      for (std::size_t i = 0; i < 3; ++i)
+        row[i] = rows_[3 * std::size_t(gate.a) + i] + rows_[3 * std::size_t(gate.b) + i] - rows_[3 * std::size_t(gate.c) + i];
+      partner_ = mirror_->guess(gate.a, gate.b, row.data());
+      if (partner_ != Mirror<Int>::nobody) {
+        present_ |= 1 << 7;
+        for (std::size_t i = 0; i < 3; ++i) row[i] = mirror_->image(partner_, i);
+        image_ = place(row);
+        guess_[1]->predict(mismatch(gate.a), mismatch(gate.b), size(image_ - corrected_), across_, edge);
+      }
+    }
+  }
+
+  /// How far a vertex is from the image of its partner.
+  int mismatch(std::uint32_t v) const {
+    const std::uint32_t w = mirror_->partner(v);
+    if (w == Mirror<Int>::nobody) return across_;
+    std::array<Int, 3> row;
+    for (std::size_t i = 0; i < 3; ++i) row[i] = mirror_->image(w, i);
+    return size(frame_.local(space_.point(row.data()) - point(v)));
+  }
 
   int local_scale(int scale, int step) const {
     return std::clamp(scale + frame_.finer * 256, std::max(step - 512, 256), 36 * 256);
@@ -243,8 +296,7 @@ class Model {
 
   template <class Coder>
   bool code_components(Coder& coder, std::uint32_t v, const Star& star) {
-    const Vector means[experts] = {mean_,    corrected_, lines_,     mean_,
-                                   ends_[0], mean_,      ring_mean_, mean_};
+    const Vector means[experts] = {mean_, corrected_, lines_, mean_, ends_[0], copy_, ring_mean_, image_};
     std::int64_t missed[2][experts];
     Int* const row = rows_ + 3 * std::size_t(v);
     Context context;
@@ -261,6 +313,8 @@ class Model {
         int scale = common;
         if (i == 3) {
           scale = axis_[c];
+        } else if (i == 5 || i == 7) {
+          scale = guess_[i == 7]->scale();
         } else {
           if (k == 1) o.mean += covariance_.second(missed[0][i]);
           if (k == 2) o.mean += covariance_.third(missed[0][i], missed[1][i]);
@@ -269,7 +323,14 @@ class Model {
         o.mean = std::clamp(o.mean, -4 * Frame::most, 4 * Frame::most);
         o.scale = local_scale(scale, ruler.step());
       }
-      const unsigned lead = opinions[3].scale + 128 < opinions[1].scale ? 3 : 1;
+      unsigned lead = opinions[3].scale + 128 < opinions[1].scale ? 3 : 1;
+      context.mode = 0;
+      for (const unsigned i : {5u, 7u}) {
+        if ((present_ >> i & 1) == 0) continue;
+        const bool leads = opinions[i].scale < opinions[lead].scale;
+        if (leads) lead = i;
+        context.mode = i == 5 ? 1 : leads ? 3 : 2;
+      }
       context.component = k;
       context.missed = k == 0 ? 0 : farthest < 64 ? 0 : farthest < 128 ? 1 : farthest < 256 ? 2 : 3;
       const int octave = (opinions[lead].scale - ruler.step()) >> 8;
@@ -304,6 +365,8 @@ class Model {
     const std::int64_t e0 = excess(along, along_), e1 = excess(across, across_);
     along_of_.learn(features_, inverse_power_, rate, e0);
     across_of_.learn(features_, inverse_power_, rate, e1);
+    if (present_ >> 5 & 1) guess_[0]->learn(size(place_ - copy_));
+    if (present_ >> 7 & 1) guess_[1]->learn(size(place_ - image_));
     const Vector others[experts] = {mean_,    corrected_, lines_,     mean_,
                                     ends_[0], mean_,      ring_mean_, mean_};
     for (const unsigned i : {0u, 2u, 4u, 6u}) {
@@ -401,6 +464,12 @@ class Model {
   Regression<8> axis_of_[3];
   int bias_[experts] = {};
   Rate rate_;
+  std::optional<Mirror<Int>> mirror_;
+  std::optional<Copies<Int>> copies_;
+  std::optional<Guess> guess_[2];
+  Vector copy_, image_;
+  std::uint32_t partner_ = 0;
+  unsigned present_ = 0;
   Correction correction_;
   Mixing mixing_;
 };
