@@ -46,6 +46,8 @@ class Model {
     if (originals) copies_.emplace(*originals, rows_, axes_);
     guess_[0].emplace(edge_log_ - 1024);
     guess_[1].emplace(edge_log_ - 1024);
+    guess_[2].emplace(edge_log_ - 1024);
+    mirror_axis_ = plane ? plane->axis : 0;
   }
 
   /// Codes vertex v, about which the star is known; before: a vertex coded before, if there is any.
@@ -276,18 +278,30 @@ class Model {
         present_ |= 1 << 7;
         for (std::size_t i = 0; i < 3; ++i) row[i] = mirror_->image(partner_, i);
         image_ = place(row);
-        guess_[1]->predict(mismatch(gate.a), mismatch(gate.b), size(image_ - corrected_), across_, edge);
+        image_[mirror_axis_] += frame_.finer >= 8 ? shift_ * (std::int64_t(1) << (frame_.finer - 8)) : shift_ >> (8 - frame_.finer);
+        const Vector a = mismatch(gate.a), b = mismatch(gate.b), d = image_ - corrected_;
+        guess_[1]->predict(size1(a[mirror_axis_]), size1(b[mirror_axis_]), size1(d[mirror_axis_]),
+                           across_, edge);
+        guess_[2]->predict(size(beside(a)), size(beside(b)), size(beside(d)), across_, edge);
       }
     }
   }
 
-  /// How far a vertex is from the image of its partner.
-  int mismatch(std::uint32_t v) const {
+  /// From a vertex to the image of its partner.
+  Vector mismatch(std::uint32_t v) const {
     const std::uint32_t w = mirror_->partner(v);
-    if (w == Mirror<Int>::nobody) return across_;
+    if (w == Mirror<Int>::nobody) {
+      const auto usual = static_cast<std::int64_t>(fixed::exp2(std::clamp(across_ + frame_.finer * 256, 0, 28 * 256)) >> 16);
+      return {usual, usual, usual};
+    }
     std::array<Int, 3> row;
     for (std::size_t i = 0; i < 3; ++i) row[i] = mirror_->image(w, i);
-    return size(frame_.local(space_.point(row.data()) - point(v)));
+    return frame_.local(space_.point(row.data()) - point(v));
+  }
+  /// What of a vector is not along the mirror's axis.
+  Vector beside(Vector d) const {
+    d[mirror_axis_] = 0;
+    return d;
   }
 
   int local_scale(int scale, int step) const {
@@ -314,7 +328,7 @@ class Model {
         if (i == 3) {
           scale = axis_[c];
         } else if (i == 5 || i == 7) {
-          scale = guess_[i == 7]->scale();
+          scale = guess_[i == 5 ? 0 : c == mirror_axis_ ? 1 : 2]->scale();
         } else {
           if (k == 1) o.mean += covariance_.second(missed[0][i]);
           if (k == 2) o.mean += covariance_.third(missed[0][i], missed[1][i]);
@@ -366,7 +380,15 @@ class Model {
     along_of_.learn(features_, inverse_power_, rate, e0);
     across_of_.learn(features_, inverse_power_, rate, e1);
     if (present_ >> 5 & 1) guess_[0]->learn(size(place_ - copy_));
-    if (present_ >> 7 & 1) guess_[1]->learn(size(place_ - image_));
+    if (present_ >> 7 & 1) {
+      const Vector off = place_ - image_;
+      guess_[1]->learn(size1(off[mirror_axis_]));
+      guess_[2]->learn(size(beside(off)));
+      const std::int64_t o = off[mirror_axis_];
+      const std::int64_t most = std::int64_t(256) * space_.scale(mirror_axis_);
+      const std::int64_t moved = frame_.finer >= 8 ? o >> (frame_.finer - 8) : o * (std::int64_t(1) << (8 - frame_.finer));
+      shift_ += std::clamp(moved, -most, most) >> 5;
+    }
     const Vector others[experts] = {mean_,    corrected_, lines_,     mean_,
                                     ends_[0], mean_,      ring_mean_, mean_};
     for (const unsigned i : {0u, 2u, 4u, 6u}) {
@@ -466,7 +488,9 @@ class Model {
   Rate rate_;
   std::optional<Mirror<Int>> mirror_;
   std::optional<Copies<Int>> copies_;
-  std::optional<Guess> guess_[2];
+  std::optional<Guess> guess_[3];
+  unsigned mirror_axis_ = 0;
+  std::int64_t shift_ = 0;
   Vector copy_, image_;
   std::uint32_t partner_ = 0;
   unsigned present_ = 0;
