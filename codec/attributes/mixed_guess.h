@@ -25,7 +25,7 @@ class Guess {
     f.set(4, distance - usual_);
     f.set(5, others - usual_);
     f.set(6, edge - usual_);
-    f.set(7, 0);
+    f.set(7, distance > others + 384 ? 256 : 0);
     scale_ = usual_ + regression_.predict(f);
     return scale_;
   }

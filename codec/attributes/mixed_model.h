@@ -272,7 +272,7 @@ class Model {
     if (mirror_) {
       std::array<Int, 3> row;
       for (std::size_t i = 0; i < 3; ++i)
-        row[i] = rows_[3 * std::size_t(gate.a) + i] + rows_[3 * std::size_t(gate.b) + i] - rows_[3 * std::size_t(gate.c) + i];
+        row[i] = integer(i, corrected_[static_cast<unsigned>(i)]);
       partner_ = mirror_->guess(gate.a, gate.b, row.data());
       if (partner_ != Mirror<Int>::nobody) {
         present_ |= 1 << 7;
@@ -285,6 +285,14 @@ class Model {
         guess_[2]->predict(size(beside(a)), size(beside(b)), size(beside(d)), across_, edge);
       }
     }
+  }
+
+  /// The integer on an axis that is at a place in the frame, within the axis.
+  Int integer(std::size_t axis, std::int64_t place) const {
+    const unsigned c = static_cast<unsigned>(axis);
+    const std::int64_t x = frame_.origin[c] + (frame_.finer >= 0 ? place >> frame_.finer : place * (std::int64_t(1) << -frame_.finer));
+    const std::int64_t k = x <= 0 ? 0 : space_.scale(c) == 1 ? x : x / space_.scale(c);
+    return static_cast<Int>(std::min(k, static_cast<std::int64_t>(axes_[axis].top) >> space_.drop()) << space_.drop());
   }
 
   /// From a vertex to the image of its partner.
@@ -316,6 +324,7 @@ class Model {
     Context context;
     context.support = std::min(star.parallelograms, 3u);
     int farthest = 0;
+    bool wrong = false;
     for (unsigned k = 0; k < 3; ++k) {
       const unsigned c = order_[k];
       const Ruler ruler(space_, axes_[c], c, frame_);
@@ -341,7 +350,7 @@ class Model {
       context.mode = 0;
       for (const unsigned i : {5u, 7u}) {
         if ((present_ >> i & 1) == 0) continue;
-        const bool leads = opinions[i].scale < opinions[lead].scale;
+        const bool leads = opinions[i].scale < opinions[lead].scale && !wrong;
         if (leads) lead = i;
         context.mode = i == 5 ? 1 : leads ? 3 : 2;
       }
@@ -357,6 +366,11 @@ class Model {
           (static_cast<std::int64_t>(value) >> space_.drop()) * space_.scale(c) - frame_.origin[c],
           frame_.finer);
       if (k < 2) {
+        for (const unsigned i : {5u, 7u}) {
+          if ((present_ >> i & 1) == 0) continue;
+          const std::int64_t off = place - opinions[i].mean;
+          wrong = wrong || size1(off) > std::max(guess_[i == 5 ? 0 : 2]->scale(), ruler.step() - frame_.finer * 256) + 512;
+        }
         for (unsigned i = 0; i < experts; ++i) missed[k][i] = place - means[i][c];
         const std::int64_t off = place - opinions[lead].mean;
         const std::int64_t by =
