@@ -39,14 +39,17 @@ std::uint64_t cost_of(const Counts& counts) {
   return all == 0 ? 0 : cost + all * log2_of(all);
 }
 
-/// What a step predicts of a component, modulo the word. `rows` begin at it.
+/// What a step predicts of a component, and more, modulo the word. `rows` begin at it. The value
+/// that is added last mostly is the one before, which may just have been computed.
 template <class Int>
 CLERS_ALWAYS_INLINE std::make_unsigned_t<Int> predicted(const Int* rows, std::size_t components,
-                                                        const Step<std::uint32_t>& step) {
+                                                        const Step<std::uint32_t>& step,
+                                                        std::make_unsigned_t<Int> more = 0) {
   using U = std::make_unsigned_t<Int>;
   const auto at = [&](std::uint32_t v) { return static_cast<U>(rows[v * components]); };
   const Int way = static_cast<Int>(at(step.to) - at(step.origin));
-  return at(step.from) + static_cast<U>(way >> step.halving);
+  more += static_cast<U>(way >> step.halving);
+  return more + at(step.from);
 }
 template <class Int>
 CLERS_ALWAYS_INLINE Int residual_of(const Int* rows, std::size_t components, std::size_t v,
@@ -106,11 +109,11 @@ void for_each_abreast(std::span<const std::size_t> which, Use use) {
   if (which.size() - i == 1) use(std::array<std::size_t, 1>{which[i]});
 }
 
-/// Finer shares pay from some number of vertices on.
+/// Finer shares pay from some number of vertices on; above 2^10 next to nothing, and tables would
+/// no longer fit into a cache of 32 KiB.
 SharePrecision precision_for(std::size_t count) {
   if (count < 4096) return {9, 2};
-  if (count < 32768) return {10, 3};
-  return {11, count < 65536 ? 3u : 4u};
+  return {10, count < 65536 ? 3u : 4u};
 }
 
 /// Weights of the components that are coded; neighbours have the same where that takes least.
@@ -273,7 +276,7 @@ Expected<Done> add_steps(OrderPredictor predictor, const CodedSurface& surface, 
     for_each_step(steps, 0, count, [&](std::size_t v, auto step) {
       for (std::size_t c = 0; c < n; ++c) {
         Int& value = values[v * n + c];
-        const U sum = static_cast<U>(value) + predicted(values + c, n, step);
+        const U sum = predicted(values + c, n, step, static_cast<U>(value));
         beyond |= sum > tops[c];
         value = static_cast<Int>(sum);
       }

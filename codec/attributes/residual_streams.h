@@ -115,13 +115,13 @@ bool decode_abreast(const std::array<std::span<const std::byte>, n>& bytes,
                     const std::array<std::size_t, n>& which, std::span<Int> residuals) {
   static constexpr std::array<Int, residual_classes> least = least_residuals<Int>();
   using U = std::make_unsigned_t<Int>;
-  std::vector<tans::DecodeTable> tables;
-  std::array<const tans::Entry*, n> entries;
+  std::vector<tans::DecodeTable<Int>> tables;
+  std::array<const tans::Entry<Int>*, n> entries;
   std::array<ReversedBitReader, n> readers;
   std::array<std::uint32_t, n> states;
   tables.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
-    entries[i] = tables.emplace_back(shares[i], raw_bits).entries();
+    entries[i] = tables.emplace_back(shares[i], least, raw_bits).entries();
     readers[i] = ReversedBitReader(bytes[i]);
     states[i] = static_cast<std::uint32_t>(low_bits(readers[i].window(), shares[i].log));
     readers[i].take(shares[i].log);
@@ -132,22 +132,22 @@ bool decode_abreast(const std::array<std::span<const std::byte>, n>& bytes,
     std::array<std::uint32_t, n> state = states;
     for (; rows > 0; --rows, row += components)
       for (std::size_t i = 0; i < n; ++i) {
-        const tans::Entry entry = entries[i][state[i]];
+        const tans::Entry<Int>& entry = entries[i][state[i]];
         const std::uint64_t window = window_of(in[i]);
-        state[i] = entry.base() + static_cast<std::uint32_t>(low_bits(window, entry.bits()));
+        state[i] = entry.base + static_cast<std::uint32_t>(low_bits(window, entry.bits));
         std::uint64_t mantissa;
-        if (sizeof(Int) > 4 && entry.with_raw() > 56) {
-          const unsigned raw = entry.with_raw() - entry.bits();
-          mantissa = low_bits(window >> entry.bits(), 32);
-          in[i].take(entry.bits() + 32);
+        if (sizeof(Int) > 4 && entry.with_raw > 56) {
+          const unsigned raw = entry.with_raw - entry.bits;
+          mantissa = low_bits(window >> entry.bits, 32);
+          in[i].take(entry.bits + 32);
           mantissa |= low_bits(window_of(in[i]), raw - 32) << 32;
           in[i].take(raw - 32);
         } else {
-          mantissa = low_bits(window, entry.with_raw()) >> entry.bits();
-          in[i].take(entry.with_raw());
+          mantissa = low_bits(window, entry.with_raw) >> entry.bits;
+          in[i].take(entry.with_raw);
         }
         row[which[i]] =
-            static_cast<Int>(static_cast<U>(least[entry.symbol()]) + static_cast<U>(mantissa));
+            static_cast<Int>(static_cast<U>(entry.least) + static_cast<U>(mantissa));
       }
     readers = in;
     states = state;

@@ -32,42 +32,40 @@ inline std::vector<std::uint8_t> spread(const Shares& shares) {
   return symbols;
 }
 
-/// What a state says, in a word: the symbol; how many bits the next state takes in and what they
-/// are added to; how many bits that and the raw bits take together.
-class Entry {
- public:
-  Entry() = default;
-  Entry(unsigned symbol, unsigned base, unsigned bits, unsigned raw)
-      : word_(base | bits << 12 | symbol << 16 | (bits + raw) << 24) {}
-  unsigned base() const { return word_ & 0xfff; }
-  unsigned bits() const { return word_ >> 12 & 15; }
-  unsigned symbol() const { return word_ >> 16 & 0xff; }
-  unsigned with_raw() const { return word_ >> 24; }
-
- private:
-  std::uint32_t word_ = 0;
+/// What a state says: what its symbol stands for, to which raw bits are added; how many bits the
+/// next state takes in and what they are added to; how many bits that and the raw bits take together.
+template <class Value>
+struct Entry {
+  Value least;
+  std::uint16_t base;
+  std::uint8_t bits;
+  std::uint8_t with_raw;
 };
 
-/// 4 << log bytes.
+/// sizeof(Entry) << log bytes.
+template <class Value>
 class DecodeTable {
  public:
-  /// raw(symbol): how many raw bits follow it.
-  template <class Raw>
-  DecodeTable(const Shares& shares, Raw raw) : entries_(std::size_t(1) << shares.log) {
+  /// least[symbol] is what a symbol stands for, raw(symbol) how many raw bits follow it.
+  template <class Least, class Raw>
+  DecodeTable(const Shares& shares, const Least& least, Raw raw)
+      : entries_(std::size_t(1) << shares.log) {
     const std::vector<std::uint8_t> symbols = spread(shares);
     std::array<std::uint16_t, most_symbols> next{};
     for (std::size_t s = 0; s < shares.of.size(); ++s) next[s] = shares.of[s];
     for (std::size_t state = 0; state < symbols.size(); ++state) {
       const unsigned symbol = symbols[state], x = next[symbol]++;
       const unsigned bits = shares.log + 1 - static_cast<unsigned>(std::bit_width(x));
-      entries_[state] =
-          Entry(symbol, (x << bits) - (1u << shares.log), bits, static_cast<unsigned>(raw(symbol)));
+      entries_[state] = {least[symbol],
+                         static_cast<std::uint16_t>((x << bits) - (1u << shares.log)),
+                         static_cast<std::uint8_t>(bits),
+                         static_cast<std::uint8_t>(bits + raw(symbol))};
     }
   }
-  const Entry* entries() const { return entries_.data(); }
+  const Entry<Value>* entries() const { return entries_.data(); }
 
  private:
-  std::vector<Entry> entries_;
+  std::vector<Entry<Value>> entries_;
 };
 
 class EncodeTable {
