@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "codec/attributes/number_format.h"
 #include "codec/attributes/number_system.h"
 #include "codec/entropy/bytes.h"
 #include "codec/entropy/stream.h"
@@ -36,8 +37,17 @@ class NumberReader {
   template <class Int>
   Expected<Done> make_values(std::span<const Int> rows, std::span<std::byte> values) const;
 
+  /// How what a component's integers leave open is coded.
+  struct Part {
+    RefinementCoding coding;
+    bool refined_palette;
+    Stream refinements;
+    std::uint64_t strays;
+    Stream stray_numbers;
+  };
+
   Numbers numbers_;
-  std::vector<Stream> streams_;
+  std::vector<Part> parts_;
 };
 
 }  // namespace clers::internal

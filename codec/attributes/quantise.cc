@@ -12,6 +12,7 @@
 
 #include "codec/attributes/number_maps.h"
 #include "codec/base/difference.h"
+#include "codec/base/portable.h"
 
 namespace clers::internal {
 namespace {
@@ -92,9 +93,9 @@ NumberSystem system_of(const Grid& grid, Scalar scalar, double largest) {
   if (!is_float(scalar) || grid.origin != 0) return system;
   // Steps of a fraction with small terms, as 3 / 100: rounded once only, so that decimals come out.
   const auto fraction = [&](double divisor) {
-    const double step = as_stored(grid.step * divisor);
-    return step == std::floor(step) && step >= 1 && step <= 1e6 &&
-           as_stored(step / divisor) == grid.step && largest * divisor < 0.5 * double(most_exact);
+    const double step = grid.step * divisor;
+    return step == std::floor(step) && step >= 1 && step <= 1e6 && step / divisor == grid.step &&
+           largest * divisor < 0.5 * double(most_exact);
   };
   for (const double divisor : {1., 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12,
                                std::round(1 / std::min(1., grid.step))}) {
@@ -102,7 +103,7 @@ NumberSystem system_of(const Grid& grid, Scalar scalar, double largest) {
     NumberSystem quotient;
     quotient.map = NumberMap::quotient;
     quotient.divisor = static_cast<std::uint64_t>(divisor);
-    quotient.step = static_cast<std::uint64_t>(as_stored(grid.step * divisor));
+    quotient.step = static_cast<std::uint64_t>(grid.step * divisor);
     return quotient;
   }
   return system;
@@ -155,7 +156,7 @@ Moved<T> move_to(const std::vector<T>& numbers, const Grid& grid, bool keep_zero
   with_points<T>(system, [&](const auto& point) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const T x = numbers[i];
-      const double k = as_stored(as_stored(static_cast<double>(x) - grid.origin) / grid.step);
+      const double k = static_cast<double>(x) - grid.origin / grid.step;
       if (!(std::fabs(k) < most_steps)) {
         moved.too_far = i;
         return;
@@ -248,8 +249,7 @@ class Quantiser {
       return {precision_.origin.size() == 1 ? precision_.origin[0] : precision_.origin[c],
               precision_.size};
     const double steps = static_cast<double>((std::uint64_t(1) << precision_.bits) - 1);
-    const double step =
-        std::max(as_stored(longest_ / steps), std::numeric_limits<double>::denorm_min());
+    const double step = std::max(longest_ / steps, std::numeric_limits<double>::denorm_min());
     return {static_cast<double>(bounds_[c].least), longest_ == 0 ? 1 : step};
   }
 
@@ -266,7 +266,7 @@ class Quantiser {
       }
       return 0.;
     }();
-    for (const double size : {step, as_stored(step - 2 * unit)}) {
+    for (const double size : {step, step - 2 * unit}) {
       if (!(size > 0) || std::isinf(size)) break;
       auto quantised = move_all(std::vector<Grid>(numbers_.size(), Grid{0, size}), false);
       if (quantised && quantised->plan.error <= error) return quantised;
@@ -328,6 +328,7 @@ std::string precision_fault(const Precision& precision) {
 
 Expected<QuantisedValues> quantise(const AttributeView& attribute, const Precision& precision) {
   if (precision.kind == Kind::lossless) return QuantisedValues{};
+  const DoublePrecision doubles;
   const std::size_t origins = precision.origin.size();
   if (precision.kind == Kind::grid && origins != 1 && origins != attribute.components)
     return fail(ErrorCode::bad_option, "a grid of " + std::to_string(origins) +
