@@ -6,11 +6,15 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
 
+#include "codec/attributes/find_system.h"
 #include "codec/attributes/number_maps.h"
+#include "codec/attributes/place_numbers.h"
 #include "codec/base/difference.h"
 #include "codec/base/portable.h"
 
@@ -171,6 +175,24 @@ Moved<T> move_to(const std::vector<T>& numbers, const Grid& grid, bool keep_zero
   return moved;
 }
 
+/// The system that numbers are in already, if its points are at least as far apart as those of a
+/// grid: so they are fewer, and nothing is lost.
+template <class T>
+std::optional<NumberSystem> coarser_system(const std::vector<T>& numbers, double step) {
+  const NumberSystem found = find_system({std::as_bytes(std::span(numbers)), scalar_of<T>(), 1, 0});
+  if (found.low_bits > 0 || found.ulps > 0) return std::nullopt;
+  if (found.map != (std::is_floating_point_v<T> ? NumberMap::quotient : NumberMap::word))
+    return std::nullopt;
+  const double apart = std::is_floating_point_v<T> ? spacing(found) : double(found.step);
+  if (!(apart >= step)) return std::nullopt;
+  const bool has_all = with_map<T>(found, [&](const auto& map) {
+    const Placing<T, std::decay_t<decltype(map)>> placing(found, map);
+    return std::all_of(numbers.begin(), numbers.end(),
+                       [&](T x) { return placing.place(std::bit_cast<WordOf<T>>(x)).exact; });
+  });
+  return has_all ? std::optional(found) : std::nullopt;
+}
+
 /// What is left of the range without the `few` least and the `few` greatest numbers.
 template <class T>
 Bounds<T> bounds_without(std::vector<T> numbers, std::size_t few) {
@@ -279,10 +301,15 @@ class Quantiser {
     if (!std::is_floating_point_v<T> && grids[0].step <= 1) return all;
     std::vector<std::vector<T>> moved;
     for (std::size_t c = 0; c < numbers_.size(); ++c) {
-      const NumberSystem system = system_of(grids[c], a_.scalar, bounds_[c].largest());
+      NumberSystem system = system_of(grids[c], a_.scalar, bounds_[c].largest());
       Moved<T> component = move_to(numbers_[c], grids[c], keep_zeros, system);
       if (component.too_far)
         return not_on_grid(a_, *component.too_far, "is too many steps away from the origin");
+      if (!keep_zeros || component.error == 0)
+        if (const auto coarser = coarser_system(numbers_[c], grids[c].step)) {
+          component = {numbers_[c], 0, std::nullopt};
+          system = *coarser;
+        }
       all.plan.error = std::max(all.plan.error, component.error);
       all.plan.systems.push_back(system);
       moved.push_back(std::move(component.numbers));

@@ -18,71 +18,17 @@
 #include "codec/soup/adjacency.h"
 #include "codec/soup/raw_faces.h"
 #include "codec/test/attribute.h"
+#include "codec/test/coded_surfaces.h"
 #include "codec/test/file_builder.h"
-#include "codec/test/legal_streams.h"
 #include "corpus/generate.h"
 #include "corpus/random.h"
 
 namespace clers::internal {
 namespace {
 
-/// A coded surface that owns its memory.
-struct Surface {
-  std::vector<std::uint32_t> corners, introduced_by;
-  std::vector<HalfEdge> twins;
-
-  CodedSurface view() const { return {corners, twins, introduced_by}; }
-};
-
-Surface decoded(std::span<const std::byte> bytes) {
-  const auto header = read_connectivity_header(bytes, 0);
-  EXPECT_TRUE(header.ok());
-  Surface s;
-  s.corners.resize(3 * std::size_t(header->faces));
-  s.twins.resize(s.corners.size());
-  s.introduced_by.resize(header->vertices);
-  EXPECT_TRUE(decode_connectivity(bytes, 0, *header, s.corners, s.twins, s.introduced_by).ok());
-  return s;
-}
-
-Surface coded(const Mesh& mesh) {
-  auto twins = find_twins({mesh.corners, mesh.face_sizes}, mesh.vertex_count);
-  EXPECT_TRUE(twins.ok());
-  const auto bytes = encode_connectivity({mesh.corners, *twins, mesh.vertex_count}, 5);
-  EXPECT_TRUE(bytes.ok());
-  return decoded(bytes->bytes);
-}
-
-/// The surface with some of its vertices made one, as copies are.
-Surface stitched(Surface s, corpus::Random& random) {
-  const auto vertices = static_cast<std::uint32_t>(s.introduced_by.size());
-  const std::uint32_t least = 1 + random.below(vertices);
-  for (std::uint32_t& v : s.corners)
-    if (v >= least) v = (v * 7 + 3) % least;
-  s.introduced_by.assign(least, 0);
-  find_introducing(s.corners, s.introduced_by);
-  return s;
-}
-
-/// All kinds: closed, with holes, handles, components; then vertices made one.
-std::vector<Surface> surfaces() {
-  std::vector<Surface> all;
-  for (const Mesh& mesh :
-       {corpus::single_triangle(), corpus::glued_pair(), corpus::tetrahedron(),
-        corpus::icosphere(2), corpus::torus(9, 7), corpus::grid(9, 5), corpus::loose_triangles(5),
-        corpus::punch_holes(corpus::torus(20, 15), 12, 1),
-        corpus::copies(corpus::punch_holes(corpus::icosphere(2), 3, 1), 3)})
-    all.push_back(coded(mesh));
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    corpus::Random random(seed);
-    const LegalStream stream =
-        legal_stream(1 + random.below(60), [&](std::uint32_t n) { return random.below(n); });
-    all.push_back(decoded(stream.bytes));
-  }
-  corpus::Random random(1);
-  for (std::size_t i = 0, n = all.size(); i < n; ++i) all.push_back(stitched(all[i], random));
-  return all;
-}
+using test::coded;
+using test::coded_surfaces;
+using Surface = CodedArrays;
 
 /// The order of first use, by a search.
 std::vector<std::uint32_t> first_uses(std::span<const std::uint32_t> corners) {
@@ -129,7 +75,7 @@ std::vector<Triple> parallelograms(const Surface& s, std::uint32_t v,
 }
 
 TEST(Introduction, IsInTheOrderOfFirstUse) {
-  for (const Surface& s : surfaces()) {
+  for (const Surface& s : coded_surfaces()) {
     const std::vector<std::uint32_t> expected = first_uses(s.corners);
     std::vector<std::uint32_t> order;
     for_each_introduced(s.view(), [&](std::uint32_t t, unsigned i) {
@@ -145,7 +91,7 @@ TEST(Introduction, IsInTheOrderOfFirstUse) {
 
 TEST(Parallelograms, EndAtVerticesIntroducedLater) {
   std::size_t found = 0, several = 0;
-  for (const Surface& s : surfaces()) {
+  for (const Surface& s : coded_surfaces()) {
     const std::vector<std::uint32_t> order = first_uses(s.corners);
     std::map<std::uint32_t, std::size_t> place;
     for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = i;
@@ -204,7 +150,7 @@ void expect_guesses(const CodedSurface& surface, std::uint32_t vertices) {
 }
 
 TEST(Prediction, IsAsTheFormatSays) {
-  for (const Surface& s : surfaces())
+  for (const Surface& s : coded_surfaces())
     expect_guesses(s.view(), static_cast<std::uint32_t>(s.introduced_by.size()));
 }
 
