@@ -168,13 +168,15 @@ BENCHMARK(symbol_decode);
 struct CodedMesh {
   explicit CodedMesh(const Mesh& input)
       : mesh(must(decode(must(encode({&input, 1})).bytes)).at(0)),
-        introduced_by(mesh.vertex_count) {
+        introduced_by(mesh.vertex_count),
+        twins(must(find_twins({mesh.corners, {}}, mesh.vertex_count))) {
     find_introducing(mesh.corners, introduced_by);
   }
-  CodedSurface surface() const { return {mesh.corners, {}, introduced_by}; }
+  CodedSurface surface() const { return {mesh.corners, twins, introduced_by}; }
 
   Mesh mesh;
   std::vector<std::uint32_t> introduced_by;
+  std::vector<HalfEdge> twins;
 };
 
 // The parallelogram rule alone, on a mesh in the codec's order.
@@ -194,7 +196,7 @@ void prediction(benchmark::State& state) {
 }
 BENCHMARK(prediction)->Apply(shapes);
 
-// Prediction of positions, the split into planes of bytes, and zstd behind them.
+// Number systems and the coder of positions, at the default level.
 void position_encode(benchmark::State& state) {
   const CodedMesh coded(mesh_of(state));
   for (auto _ : state)
@@ -204,28 +206,18 @@ void position_encode(benchmark::State& state) {
 }
 BENCHMARK(position_encode)->Apply(shapes);
 
-// The two steps of decoding: zstd and planes of bytes, then predictions.
-void residual_decode(benchmark::State& state) {
+void position_decode(benchmark::State& state) {
   const CodedMesh coded(mesh_of(state));
   const Bytes bytes =
-      must(encode_attribute(*coded.mesh.position(), coded.surface(), default_level));
+      must(encode_attribute(*coded.mesh.position(), coded.surface(), default_level)).bytes;
   const AttributeHeader header = must(read_attribute_header(bytes, 0));
+  const std::uint32_t count = coded.mesh.vertex_count;
   for (auto _ : state)
-    benchmark::DoNotOptimize(must(decode_residuals(bytes, 0, header, coded.mesh.vertex_count)));
+    benchmark::DoNotOptimize(must(finish_attribute(
+        bytes, 0, header, count, must(begin_attribute(bytes, 0, header, count)), coded.surface())));
   count_items(state, coded.mesh.face_count());
 }
-BENCHMARK(residual_decode)->Apply(shapes);
-
-void position_reconstruct(benchmark::State& state) {
-  const CodedMesh coded(mesh_of(state));
-  const Bytes bytes =
-      must(encode_attribute(*coded.mesh.position(), coded.surface(), default_level));
-  const AttributeHeader header = must(read_attribute_header(bytes, 0));
-  const Bytes residuals = must(decode_residuals(bytes, 0, header, coded.mesh.vertex_count));
-  for (auto _ : state) benchmark::DoNotOptimize(reconstruct(header, residuals, coded.surface()));
-  count_items(state, coded.mesh.face_count());
-}
-BENCHMARK(position_reconstruct)->Apply(shapes);
+BENCHMARK(position_decode)->Apply(shapes);
 
 void checksum(benchmark::State& state) {
   const std::vector<std::byte> bytes(1 << 20);

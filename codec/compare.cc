@@ -12,10 +12,15 @@
 //
 // Colours differ: no bijection exists. Equality is proved at the end, on the bits themselves
 // (renumbering.h).
+//
+// Within a tolerance colours are coarser, so that this still holds (near_values.h). If they leave
+// it open, values are rounded to the nearest of the other mesh, which shows what is the same.
 #include "codec/compare.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,6 +45,15 @@ Comparison differ(std::string what) {
 
 std::string two_counts(const char* what, std::uint64_t a, std::uint64_t b) {
   return std::string(what) + ": " + std::to_string(a) + " and " + std::to_string(b);
+}
+
+/// Of the attributes that were compared within a tolerance.
+std::vector<FoundError> found_errors(const ComparedMesh& mesh, const std::vector<double>& errors) {
+  std::vector<FoundError> found;
+  for (std::size_t k = 0; k < errors.size(); ++k)
+    if (mesh.tolerance[k])
+      found.push_back({mesh.attributes[k]->name, mesh.attributes[k]->domain, errors[k]});
+  return found;
 }
 
 /// Steps 1 and 2: colours both until they differ, or each colour is alone, or a round learns
@@ -70,50 +84,112 @@ std::optional<std::string> colour(ComparedMesh& a, ComparedMesh& b, std::vector<
   return std::nullopt;
 }
 
-/// What neither colours nor the order of attributes distinguish.
-Comparison compare_structure(ComparedMesh& first, ComparedMesh& second) {
+/// What is shown of two meshes whose vertices are coloured.
+struct Attempt {
+  Comparison comparison;
+  std::vector<double> errors = {};  ///< if they are the same
+};
+
+/// What neither colours nor the order of attributes distinguish. "different" is certain if colours
+/// prove a difference.
+Attempt compare_structure(ComparedMesh& first, ComparedMesh& second) {
   std::vector<Index> image;
+  std::vector<double> errors;
   bool forced = false;
-  if (auto what = colour(first, second, image, forced)) return differ(std::move(*what));
+  if (auto what = colour(first, second, image, forced)) return {differ(std::move(*what))};
   // Often any vertex of a class will do: pages of a book, vertices that no face uses.
-  auto what = renumbering_fails(first, second, image);
-  if (!what) return {Verdict::same, {}};
-  if (forced) return differ(std::move(*what));
+  auto wrong = renumbering_fails(first, second, image, errors);
+  if (!wrong) return {{Verdict::same, {}}, std::move(errors)};
+  if (forced && wrong->is_certain) return {differ(std::move(wrong->what))};
 
   const Classes faces_a = classes(face_colours(first)), faces_b = classes(face_colours(second));
-  if (what = histograms_differ(faces_a, faces_b, "face", "the same values and neighbourhood"); what)
-    return differ(std::move(*what));
+  if (auto what = histograms_differ(faces_a, faces_b, "face", "the same values and neighbourhood"))
+    return {differ(std::move(*what))};
   const Side a(first, faces_a), b(second, faces_b);
   Comparison result = pair_by_cells(a, b, image);
   if (result.verdict == Verdict::undecided) result = pair_components(a, b, image);
-  if (result.verdict != Verdict::same) return result;
-  if (what = renumbering_fails(first, second, image); what)
-    return {Verdict::undecided, std::move(*what)};  // colours collided
-  return result;
+  if (result.verdict != Verdict::same) return {std::move(result)};
+  if (wrong = renumbering_fails(first, second, image, errors); wrong)
+    // Colours collided, or values within a tolerance are too close together.
+    return {{Verdict::undecided, std::move(wrong->what)}};
+  return {std::move(result), std::move(errors)};
 }
 
-Comparison compare_checked(const Mesh& a, const Mesh& b) {
+/// Guesses which vertices become which by the nearest values. What it shows is the same.
+Attempt guess(ComparedMesh& first, ComparedMesh& second) {
+  for (const Nearness nearness : {Nearness::nearest_or_lesser, Nearness::nearest_or_greater})
+    for (const bool swapped : {false, true}) {
+      ComparedMesh &from = swapped ? second : first, &to = swapped ? first : second;
+      colour_vertices(from, to, nearness);
+      Attempt attempt = compare_structure(from, to);
+      if (attempt.comparison.verdict == Verdict::same) return attempt;
+    }
+  return {{Verdict::undecided, {}}};
+}
+
+/// Which of the counts of vertices, faces and corners is another.
+std::optional<std::string> counts_differ(const Mesh& a, const Mesh& b) {
   if (a.vertex_count != b.vertex_count)
-    return differ(two_counts("vertices", a.vertex_count, b.vertex_count));
-  if (a.face_count() != b.face_count())
-    return differ(two_counts("faces", a.face_count(), b.face_count()));
+    return two_counts("vertices", a.vertex_count, b.vertex_count);
+  if (a.face_count() != b.face_count()) return two_counts("faces", a.face_count(), b.face_count());
   if (a.corners.size() != b.corners.size())
-    return differ(two_counts("corners", a.corners.size(), b.corners.size()));
-  ComparedMesh first(a), second(b);
+    return two_counts("corners", a.corners.size(), b.corners.size());
+  return std::nullopt;
+}
+
+Comparison compare_checked(const Mesh& a, const Mesh& b, std::span<const Tolerance> tolerances) {
+  if (auto what = counts_differ(a, b)) return differ(std::move(*what));
+  ComparedMesh first(a, tolerances), second(b, tolerances);
   if (auto what = attributes_differ(first, second)) return differ(std::move(*what));
-  return compare_structure(first, second);
+  colour_values(first, second);
+  Attempt attempt = compare_structure(first, second);
+  if (attempt.comparison.verdict == Verdict::undecided && !first.is_exact())
+    if (Attempt guessed = guess(first, second); guessed.comparison.verdict == Verdict::same)
+      attempt = std::move(guessed);
+  if (attempt.comparison.verdict == Verdict::same)
+    attempt.comparison.errors = found_errors(first, attempt.errors);
+  return std::move(attempt.comparison);
+}
+
+/// What keeps two meshes from being compared.
+std::optional<Error> refused(const Mesh& a, const Mesh& b, std::span<const Tolerance> tolerances) {
+  for (const Tolerance& t : tolerances)
+    if (!(t.error >= 0) || std::isinf(t.error))
+      return Error{ErrorCode::bad_option, Place::nowhere, 0,
+                   "a tolerance for '" + t.name + "' that is negative or not finite"};
+  for (const Mesh* mesh : {&a, &b})
+    if (auto error = why_not_comparable(*mesh)) {
+      error->what = (mesh == &a ? "the first mesh " : "the second mesh ") + error->what;
+      return error;
+    }
+  return std::nullopt;
 }
 
 }  // namespace
 
 Expected<Comparison> compare(const Mesh& a, const Mesh& b) {
+  return compare(a, b, {});
+}
+
+Expected<Comparison> compare(const Mesh& a, const Mesh& b, std::span<const Tolerance> tolerances) {
   return guarded("compare", [&]() -> Expected<Comparison> {
-    for (const Mesh* mesh : {&a, &b})
-      if (auto error = why_not_comparable(*mesh)) {
-        error->what = (mesh == &a ? "the first mesh " : "the second mesh ") + error->what;
-        return Failure{std::move(*error)};
-      }
-    return compare_checked(a, b);
+    if (auto error = refused(a, b, tolerances)) return Failure{std::move(*error)};
+    return compare_checked(a, b, tolerances);
+  });
+}
+
+Expected<Comparison> compare(const Mesh& a, const Mesh& b, std::span<const Tolerance> tolerances,
+                             const Permutation& renumbering) {
+  return guarded("compare", [&]() -> Expected<Comparison> {
+    if (auto error = refused(a, b, tolerances)) return Failure{std::move(*error)};
+    if (auto what = counts_differ(a, b)) return differ(std::move(*what));
+    const ComparedMesh first(a, tolerances), second(b, tolerances);
+    if (auto what = attributes_differ(first, second)) return differ(std::move(*what));
+    std::vector<double> errors;
+    auto wrong = renumbering_fails(first, second, renumbering, errors);
+    if (!wrong) return Failure{wrong.error()};
+    if (*wrong) return differ(std::move(**wrong));
+    return Comparison{Verdict::same, {}, found_errors(first, errors)};
   });
 }
 

@@ -2,7 +2,6 @@
 #ifndef CLERS_CODEC_COMPARE_H
 #define CLERS_CODEC_COMPARE_H
 
-#include <optional>
 #include <span>
 #include <string>
 
@@ -24,13 +23,6 @@ namespace CLERS_VISIBLE clers {
 /// them, but they are different (a regular torus, cut and sewn another way), a search takes
 /// some seconds more before it gives up.
 Expected<Comparison> compare(const Mesh& a, const Mesh& b);
-
-/// How far components of values may be apart.
-struct Tolerance {
-  std::string name;
-  double error = 0;                   ///< at least 0
-  std::optional<Domain> domain = {};  ///< not set: any
-};
 
 /// The same with some attributes compared within a tolerance. A NaN agrees with NaNs only, of any
 /// bits, an infinity with itself. Never "same" without a renumbering under which all agree;

@@ -15,6 +15,7 @@
 #include "codec/file/mesh_encoder.h"
 #include "codec/file/metadata.h"
 #include "codec/file/piece_encoder.h"
+#include "codec/file/quantised_mesh.h"
 #include "codec/pieces/partition.h"
 
 namespace CLERS_VISIBLE clers {
@@ -37,19 +38,25 @@ std::uint32_t piece_faces(const MeshView& mesh, const EncodeOptions& options) {
 
 /// A mesh on its way: whole, or parted into pieces.
 struct Work {
+  QuantisedMesh quantised;
   std::unique_ptr<PieceCutter> cutter;       ///< none: the mesh is whole
   std::vector<Expected<EncodedMesh>> coded;  ///< a mesh, or pieces
 };
 
-Work prepare(const MeshView& mesh, const EncodeOptions& options, unsigned threads) {
-  Work work;
+/// Pieces share the grids of the mesh, and are those of the values that were given.
+Expected<Done> prepare(const MeshView& mesh, const EncodeOptions& options, unsigned threads,
+                       Work& work) {
+  auto quantised = quantise(mesh, options, threads);
+  if (!quantised) return Failure{quantised.error()};
+  work.quantised = std::move(*quantised);
   if (const std::uint32_t most = piece_faces(mesh, options); most > 0) {
     Partition parts = partition(mesh, most, threads);
-    if (parts.count() > 1) work.cutter = std::make_unique<PieceCutter>(mesh, std::move(parts));
+    if (parts.count() > 1)
+      work.cutter = std::make_unique<PieceCutter>(work.quantised.mesh, std::move(parts));
   }
   work.coded.assign(work.cutter ? work.cutter->count() : 1,
                     fail(ErrorCode::internal, "a piece is not encoded"));
-  return work;
+  return Done{};
 }
 
 /// All of a mesh, once its pieces are coded.
@@ -85,15 +92,19 @@ Expected<Encoded> encode_meshes(std::span<const MeshView> given, const EncodeOpt
   }
   for (std::size_t i = 0; i < meshes.size(); ++i)
     if (auto ok = check(meshes[i], options); !ok) return in_mesh(ok.error(), i, meshes.size());
+  if (auto ok = check_precisions(meshes, options); !ok) return Failure{ok.error()};
 
   struct Job {
     std::size_t mesh, piece;
   };
   std::vector<Work> works(meshes.size());
+  std::vector<Expected<Done>> prepared(meshes.size(), Done{});
   const unsigned threads_in_mesh = meshes.size() > 1 ? 1 : options.threads;
   for_each_item(meshes.size(), options.threads, [&](std::size_t i, unsigned) {
-    works[i] = prepare(meshes[i], options, threads_in_mesh);
+    prepared[i] = prepare(meshes[i], options, threads_in_mesh, works[i]);
   });
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    if (!prepared[i]) return in_mesh(prepared[i].error(), i, meshes.size());
   std::vector<Job> jobs;
   for (std::size_t i = 0; i < meshes.size(); ++i)
     for (std::size_t k = 0; k < works[i].coded.size(); ++k) jobs.push_back({i, k});
@@ -112,10 +123,12 @@ Expected<Encoded> encode_meshes(std::span<const MeshView> given, const EncodeOpt
     };
     Work& work = works[jobs[j].mesh];
     const std::size_t k = jobs[j].piece;
-    work.coded[k] = work.cutter
-                        ? encode_piece(work.cutter->cut(k, memory[worker]), work.cutter->faces(k),
-                                       in_pieces, progress)
-                        : encode_mesh(meshes[jobs[j].mesh], options, threads_inside, progress);
+    const QuantisedMesh& quantised = work.quantised;
+    work.coded[k] =
+        work.cutter
+            ? encode_piece(work.cutter->cut(k, memory[worker]), work.cutter->faces(k), in_pieces,
+                           quantised.plans, progress)
+            : encode_mesh(quantised.mesh, options, quantised.plans, threads_inside, progress);
     ++done;
   });
   for (const Job& job : jobs)
@@ -125,6 +138,10 @@ Expected<Encoded> encode_meshes(std::span<const MeshView> given, const EncodeOpt
   ContainerWriter out(options.level);
   Encoded result;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
+    for (Warning& warning : works[i].quantised.warnings) {
+      warning.mesh = i;
+      result.warnings.push_back(std::move(warning));
+    }
     EncodedMesh coded = finish(std::move(works[i]), meshes[i], options);
     for (const EncodedSection& section : coded.sections) out.section(section.kind, section.payload);
     if (!meshes[i].metadata.empty()) {

@@ -41,7 +41,7 @@ struct Encoded {
 /// no two positions coincide and its pieces are manifold too. Other meshes may not: where they are
 /// cut depends on the order of faces.
 ///
-/// Errors: inconsistent_mesh, too_large, bad_option, out_of_memory; and where options reject them,
+/// Errors: inconsistent_mesh, too_large, bad_option, not_on_grid, out_of_memory; and where options reject them,
 /// degenerate_face, duplicate_face, nonmanifold_edge, nonorientable, nonmanifold_vertex, each with
 /// the first such element. Throws nothing but what `progress` throws (std::bad_alloc becomes
 /// out_of_memory). Thread safe: calls share nothing, and only read the mesh.

@@ -13,6 +13,7 @@ const char* name(ErrorCode code) {
     case ErrorCode::nonorientable: return "nonorientable";
     case ErrorCode::too_large: return "too_large";
     case ErrorCode::bad_option: return "bad_option";
+    case ErrorCode::not_on_grid: return "not_on_grid";
     case ErrorCode::not_clers: return "not_clers";
     case ErrorCode::unsupported_version: return "unsupported_version";
     case ErrorCode::truncated: return "truncated";
@@ -30,8 +31,8 @@ const char* name(ErrorCode code) {
 }
 
 std::string describe(const Error& error) {
-  static constexpr const char* places[] = {"",        "byte ", "line ", "face ",
-                                           "vertex ", "edge ", "mesh ", "symbol "};
+  static constexpr const char* places[] = {"",      "byte ", "line ",   "face ",  "vertex ",
+                                           "edge ", "mesh ", "symbol ", "corner "};
   if (error.place == Place::nowhere) return error.what;
   return places[static_cast<unsigned>(error.place)] + std::to_string(error.at) + ": " + error.what;
 }

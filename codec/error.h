@@ -23,6 +23,8 @@ enum class ErrorCode : std::uint16_t {
   too_large = 7,           ///< more elements than ids
   bad_option = 8,          ///< an option out of its range, memory of another size than needed, or
                            ///< an index of what is not there
+  not_on_grid = 9,  ///< a value that no point of a grid is near: NaN, an infinity, or one that
+                    ///< is too far away for the steps asked for
   // The bytes cannot be decoded.
   not_clers = 20,            ///< the magic number is missing
   unsupported_version = 21,  ///< made by another version of the format
@@ -44,7 +46,7 @@ enum class ErrorCode : std::uint16_t {
 const char* name(ErrorCode code);
 
 /// What `Error::at` counts.
-enum class Place : std::uint8_t { nowhere, byte, line, face, vertex, edge, mesh, symbol };
+enum class Place : std::uint8_t { nowhere, byte, line, face, vertex, edge, mesh, symbol, corner };
 
 /// Which field of Limits does not allow an input.
 enum class Limited : std::uint8_t { nothing, meshes, vertices, faces, memory };

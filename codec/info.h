@@ -44,8 +44,7 @@ struct AttributeInfo {
   std::uint64_t bytes = 0;  ///< compressed
   /// How values became integers, and what coded these, for people: "3 decimals", "grid of 14 bits".
   std::string numbers, coder;
-  /// Values may have changed: none of their components by more than `error`, and one by just that.
-  bool quantised = false;
+  /// By how much a component of its values was changed at most. 0: they come back bit for bit.
   double error = 0;
 
   std::uint64_t value_size() const { return size_of(scalar) * components; }

@@ -52,7 +52,9 @@ struct AttributePrecision {
 };
 
 enum class WarningCode : std::uint8_t {
-  wasted_bits = 1,  ///< a few values far from all others make the grid coarse, or its numbers large
+  /// A few values, a thousandth or one, are far from all others: without them two bits less make a
+  /// grid that is as fine.
+  wasted_bits = 1,
 };
 
 /// What encoding does as it was asked, though nobody may want it.

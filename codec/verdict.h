@@ -2,6 +2,7 @@
 #ifndef CLERS_CODEC_VERDICT_H
 #define CLERS_CODEC_VERDICT_H
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,13 @@ enum class Verdict {
               ///< or within a tolerance
   different,  ///< no renumbering can exist
   undecided,  ///< neither could be shown within the work allowed, or colours collided
+};
+
+/// How far the components of an attribute's values may be apart.
+struct Tolerance {
+  std::string name;
+  double error = 0;                   ///< at least 0
+  std::optional<Domain> domain = {};  ///< not set: any
 };
 
 /// The largest difference of any component of an attribute.

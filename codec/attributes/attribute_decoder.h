@@ -1,12 +1,16 @@
-// The bytes of one attribute -> its values, in two steps. Residuals need no connectivity, so they
-// can be decoded beside it; values need all of it.
+// The bytes of one attribute -> its values, in two steps. What needs no connectivity can be read
+// beside it; values need all of it.
 #ifndef CLERS_CODEC_ATTRIBUTES_ATTRIBUTE_DECODER_H
 #define CLERS_CODEC_ATTRIBUTES_ATTRIBUTE_DECODER_H
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 
 #include "codec/attributes/attribute_format.h"
+#include "codec/attributes/lattice.h"
+#include "codec/attributes/number_decoder.h"
 #include "codec/connectivity/coded_surface.h"
 #include "codec/entropy/bytes.h"
 #include "codec/error.h"
@@ -14,23 +18,40 @@
 
 namespace clers::internal {
 
-/// Whether what follows the header is one zstd frame that can hold `count` values, as far as can
-/// be seen without unpacking it. Errors: invalid.
+/// Whether what follows the header can hold `count` values, as far as can be seen without decoding
+/// them. Errors: invalid.
 Expected<Done> check_values(std::span<const std::byte> bytes, std::uint64_t at,
                             const AttributeHeader& header, std::uint64_t count);
 
-/// Decodes the residuals of `count` values: as many bytes as the values have. While it runs, as
-/// many again. Precondition: check_values. Errors: invalid. Throws std::bad_alloc only.
-Expected<Bytes> decode_residuals(std::span<const std::byte> bytes, std::uint64_t at,
-                                 const AttributeHeader& header, std::uint64_t count);
+/// What the numbers of the values are, in words (AttributeInfo::numbers). Errors: truncated,
+/// invalid.
+Expected<std::string> describe_numbers(std::span<const std::byte> bytes, std::uint64_t at,
+                                       const AttributeHeader& header, std::uint64_t count);
 
-/// Makes the values of residuals, in as many bytes. Throws std::bad_alloc only.
-Attribute reconstruct(const AttributeHeader& header, Bytes residuals, const CodedSurface& surface);
+/// An attribute of which all is read that needs no faces.
+struct BegunAttribute {
+  Bytes words;                          ///< residuals, of those that are no integers
+  std::optional<NumberReader> numbers;  ///< of all others,
+  Rows rows;                            ///< with residuals, where these need no faces,
+  std::size_t position = 0;             ///< or they begin here
+};
+/// Precondition: check_values. Errors: truncated, invalid. Throws std::bad_alloc only.
+Expected<BegunAttribute> begin_attribute(std::span<const std::byte> bytes, std::uint64_t at,
+                                         const AttributeHeader& header, std::uint64_t count);
 
-/// Bytes that either step takes besides what it is given and returns.
-inline std::uint64_t decoding_memory(const AttributeHeader& header, std::uint64_t count) {
-  return count * header.attribute.stride();
-}
+/// Makes the values. `bytes` are the same, `surface` has what along(header) says. Errors: invalid.
+/// Throws std::bad_alloc only.
+Expected<Attribute> finish_attribute(std::span<const std::byte> bytes, std::uint64_t at,
+                                     const AttributeHeader& header, std::uint64_t count,
+                                     BegunAttribute begun, const CodedSurface& surface);
+
+/// Bytes that this takes, at most.
+struct AttributeMemory {
+  std::uint64_t begun = 0;      ///< what is in a BegunAttribute
+  std::uint64_t beginning = 0;  ///< besides, while it is made
+  std::uint64_t finishing = 0;  ///< besides it and the values, while they are made
+};
+AttributeMemory decoding_memory(const AttributeHeader& header, std::uint64_t count);
 
 }  // namespace clers::internal
 

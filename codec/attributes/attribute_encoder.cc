@@ -1,12 +1,15 @@
-// Tries each predictor that may pay, and keeps the one whose residuals a quick zstd packs smallest.
+// Finds numbers, tries the coders that a level affords, and keeps what takes least.
 #include "codec/attributes/attribute_encoder.h"
 
 #include <array>
+#include <optional>
 #include <utility>
-#include <vector>
 
 #include "codec/attributes/attribute_format.h"
-#include "codec/attributes/residuals.h"
+#include "codec/attributes/integer_planes.h"
+#include "codec/attributes/number_encoder.h"
+#include "codec/attributes/planes.h"
+#include "codec/attributes/ranks.h"
 
 namespace clers::internal {
 namespace {
@@ -16,57 +19,100 @@ int zstd_level(int level) {
   return levels[static_cast<std::size_t>(level - 1)];
 }
 
-/// Values as integers that sort like them.
-Bytes keys_of(const Attribute& attribute) {
-  Bytes keys = attribute.data;
+/// Values as words that sort like them.
+Bytes words_of(const Attribute& attribute) {
+  Bytes words = attribute.data;
   if (is_float(attribute.scalar))
     with_word(attribute.scalar, [&](auto word) {
       using U = decltype(word);
-      for (std::size_t i = 0; i < keys.size() / sizeof(U); ++i)
-        set_word(keys.data(), i, to_ordered(word_at<U>(keys.data(), i)));
+      for (std::size_t i = 0; i < words.size() / sizeof(U); ++i)
+        set_word(words.data(), i, to_ordered(word_at<U>(words.data(), i)));
     });
-  return keys;
+  return words;
 }
+
+class AttributeEncoder {
+ public:
+  AttributeEncoder(const Attribute& attribute, const CodedSurface& surface, int level)
+      : attribute_(attribute), surface_(surface), level_(level) {
+    header_.attribute = {
+        attribute.name, attribute.domain, attribute.scalar, attribute.components, {}};
+    predictors_ = {Predictor::none, Predictor::previous};
+    if (attribute.domain == Domain::vertex && !surface.corners.empty()) {
+      predictors_.push_back(Predictor::parallelogram);
+      if (attribute.name == position_name) predictors_ = {Predictor::parallelogram};
+    }
+  }
+
+  Expected<EncodedAttribute> run(const AttributePlan& plan) {
+    header_.error = plan.error;
+    NumberedValues numbered =
+        plan.systems.empty()
+            ? number_values(attribute_.data, attribute_.scalar, attribute_.components, level_)
+            : put_into_systems(attribute_.data, attribute_.scalar, plan.systems, level_);
+    header_.narrow = numbered.numbers.narrow();
+    const auto ok =
+        header_.narrow ? integers(numbered, numbered.narrow) : integers(numbered, numbered.wide);
+    if (!ok) return Failure{ok.error()};
+    if (plan.systems.empty())
+      if (auto done = words(); !done) return Failure{done.error()};
+    best_.info.count = attribute_.data.size() / attribute_.stride();
+    best_.info.bytes = best_.bytes.size();
+    return std::move(best_);
+  }
+
+ private:
+  /// Takes what follows the header, if it is the least up to now.
+  void consider(Coder coder, Predictor predictor, std::span<const std::byte> numbers,
+                std::span<const std::byte> coded, std::string words) {
+    AttributeHeader header = header_;
+    header.coder = coder;
+    header.predictor = predictor;
+    if (coder == Coder::words) header.narrow = true;
+    Bytes bytes;
+    put_attribute_header(bytes, header);
+    put_bytes(bytes, numbers);
+    put_bytes(bytes, coded);
+    if (!best_.bytes.empty() && bytes.size() >= best_.bytes.size()) return;
+    best_ = {std::move(bytes), info_of(header)};
+    best_.info.numbers = std::move(words);
+  }
+
+  template <class Int>
+  Expected<Done> integers(const NumberedValues& numbered, std::vector<Int>& rows) {
+    const std::vector<Axis>& axes = numbered.numbers.axes;
+    const std::string words = in_words(numbered.numbers);
+    integers_to_ranks(axes, std::span(rows));
+    const std::vector<Axis> ranked = with_ranks(axes);
+    auto packed =
+        pack_integers(Lattice<const Int>{rows, ranked}, predictors_, surface_, zstd_level(level_));
+    if (!packed) return Failure{packed.error()};
+    consider(Coder::planes, packed->predictor, numbered.bytes, packed->frame, words);
+    return Done{};
+  }
+
+  Expected<Done> words() {
+    const WordShape shape{attribute_.scalar, attribute_.components};
+    auto packed =
+        pack_planes(words_of(attribute_), shape, predictors_, surface_, zstd_level(level_));
+    if (!packed) return Failure{packed.error()};
+    consider(Coder::words, packed->predictor, {}, packed->frame, words_text);
+    return Done{};
+  }
+
+  const Attribute& attribute_;
+  const CodedSurface& surface_;
+  const int level_;
+  AttributeHeader header_;
+  std::vector<Predictor> predictors_;
+  EncodedAttribute best_;
+};
 
 }  // namespace
 
-Expected<Bytes> encode_attribute(const Attribute& attribute, const CodedSurface& surface,
-                                 int level) {
-  const std::size_t components = attribute.components,
-                    count = attribute.data.size() / attribute.stride();
-  std::vector<Predictor> candidates = {Predictor::none, Predictor::previous};
-  if (attribute.domain == Domain::vertex && !surface.corners.empty()) {
-    candidates.push_back(Predictor::parallelogram);
-    if (attribute.name == position_name) candidates = {Predictor::parallelogram};
-  }
-  const Bytes keys = keys_of(attribute);
-  Bytes residuals(keys.size()), best_planes;
-  Predictor best = candidates.back();
-  std::size_t least = ~std::size_t(0);
-  for (const Predictor predictor : candidates) {
-    with_word(attribute.scalar, [&](auto word) {
-      subtract_predictions<decltype(word)>(predictor, count, components, surface, keys.data(),
-                                           residuals.data());
-    });
-    Bytes planes = planes_of(residuals, attribute.scalar, components);
-    std::size_t size = 0;
-    if (candidates.size() > 1) {
-      auto trial = pack_frame(planes, 1);
-      if (!trial) return trial;
-      size = trial->size();
-    }
-    if (size < least) {
-      least = size;
-      best = predictor;
-      best_planes = std::move(planes);
-    }
-  }
-  auto packed = pack_frame(best_planes, zstd_level(level));
-  if (!packed) return packed;
-  Bytes out;
-  put_attribute_header(out, attribute, best);
-  put_bytes(out, *packed);
-  return out;
+Expected<EncodedAttribute> encode_attribute(const Attribute& attribute, const CodedSurface& surface,
+                                            int level, const AttributePlan& plan) {
+  return AttributeEncoder(attribute, surface, level).run(plan);
 }
 
 }  // namespace clers::internal

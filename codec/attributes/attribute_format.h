@@ -1,33 +1,105 @@
-// What stands before the values of an attribute: its name and kind <-> bytes.
+// What stands before the values of an attribute: its name, its type and how it is coded <-> bytes.
 #ifndef CLERS_CODEC_ATTRIBUTES_ATTRIBUTE_FORMAT_H
 #define CLERS_CODEC_ATTRIBUTES_ATTRIBUTE_FORMAT_H
 
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 
+#include "codec/attributes/number_system.h"
 #include "codec/attributes/prediction.h"
 #include "codec/base/utf8.h"
 #include "codec/entropy/bytes.h"
 #include "codec/error.h"
+#include "codec/info.h"
 #include "codec/mesh.h"
 
 namespace clers::internal {
 
+/// How values are written. The numbers are the file format's.
+enum class Coder : std::uint8_t {
+  words = 0,   ///< the words that values are stored as, by planes (planes.h)
+  planes = 1,  ///< all others write integers (lattice.h): by planes too,
+  prefix = 2,  ///< by a prefix code (level 1)
+  tables = 3,  ///< by a static table a component (level 3)
+  sized = 4,   ///< positions by contexts of sizes (levels 5, 7)
+  mixed = 5,   ///< positions by experts, mixed (level 9)
+  named = 6,   ///< anything else by contexts of sizes (levels 5 to 9)
+};
+inline constexpr unsigned coder_count = 7;
+
+constexpr const char* name(Coder c) {
+  constexpr const char* names[coder_count] = {"words", "planes", "prefix", "tables",
+                                              "sized", "mixed",  "named"};
+  return names[static_cast<unsigned>(c)];
+}
+
+/// What stands for the number system of words.
+inline constexpr char words_text[] = "words";
+
+/// The number systems of all components: one, if they all have the same.
+inline std::string in_words(const Numbers& numbers) {
+  std::string all;
+  bool same = true;
+  const std::string first = describe(numbers, 0);
+  for (std::size_t c = 0; c < numbers.systems.size(); ++c) {
+    const std::string one = describe(numbers, c);
+    same &= one == first;
+    all += (c > 0 ? " | " : "") + one;
+  }
+  return same ? first : all;
+}
+
 struct AttributeHeader {
   Attribute attribute;  ///< without data
-  Predictor predictor = Predictor::none;
-  std::size_t bytes = 0;  ///< that the header takes
+  double error = 0;     ///< no component is further from what was encoded
+  Coder coder = Coder::words;
+  bool narrow = true;                     ///< integers are std::int32_t
+  Predictor predictor = Predictor::none;  ///< of words and planes
+  std::size_t bytes = 0;                  ///< that the header takes
+
+  bool in_planes() const { return coder == Coder::words || coder == Coder::planes; }
+  /// Residuals can be read before there are faces.
+  bool begins_without_faces() const { return coder <= Coder::tables; }
 };
 
-inline void put_attribute_header(Bytes& out, const Attribute& attribute, Predictor predictor) {
-  put_u8(out, static_cast<std::uint32_t>(attribute.name.size()));
-  put_bytes(out, std::as_bytes(std::span(attribute.name)));
-  put_u8(out, static_cast<std::uint32_t>(attribute.domain));
-  put_u8(out, static_cast<std::uint32_t>(attribute.scalar));
-  put_u8(out, attribute.components);
-  put_u8(out, static_cast<std::uint32_t>(predictor));
+/// What must be decoded before values can be.
+enum class Along : std::uint8_t { nothing, surface, twins };
+inline Along along(const AttributeHeader& header) {
+  if (header.attribute.domain != Domain::vertex) return Along::nothing;
+  if (header.in_planes())
+    return header.predictor == Predictor::parallelogram ? Along::surface : Along::nothing;
+  return header.coder == Coder::prefix || header.coder == Coder::tables ? Along::surface
+                                                                        : Along::twins;
+}
+
+/// What a report says of it, by the header alone.
+inline AttributeInfo info_of(const AttributeHeader& header) {
+  const Attribute& a = header.attribute;
+  AttributeInfo info{a.name, a.domain, a.scalar, a.components};
+  info.coder = name(header.coder);
+  info.error = header.error;
+  return info;
+}
+
+inline void put_attribute_header(Bytes& out, const AttributeHeader& header) {
+  const Attribute& a = header.attribute;
+  put_u8(out, static_cast<std::uint32_t>(a.name.size()));
+  put_bytes(out, std::as_bytes(std::span(a.name)));
+  put_u8(out, static_cast<std::uint32_t>(a.domain));
+  put_u8(out, static_cast<std::uint32_t>(a.scalar));
+  put_u8(out, a.components);
+  put_u8(out, static_cast<std::uint32_t>(header.coder) | (header.narrow ? 0 : 0x40) |
+                  (header.error > 0 ? 0x80 : 0));
+  if (header.error > 0) {
+    const std::uint64_t error = std::bit_cast<std::uint64_t>(header.error);
+    put_u32(out, static_cast<std::uint32_t>(error));
+    put_u32(out, static_cast<std::uint32_t>(error >> 32));
+  }
+  if (header.in_planes()) put_u8(out, static_cast<std::uint32_t>(header.predictor));
 }
 
 /// Reads and checks what put_attribute_header wrote. `at` is the offset of `bytes` in the file, for
@@ -37,7 +109,14 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
   ByteReader in(bytes, at);
   AttributeHeader header;
   const auto name = in.take(in.u8());
-  const std::uint32_t domain = in.u8(), scalar = in.u8(), components = in.u8(), predictor = in.u8();
+  const std::uint32_t domain = in.u8(), scalar = in.u8(), components = in.u8(), how = in.u8();
+  const bool changed = how & 0x80;
+  if (changed) {
+    const std::uint64_t low = in.u32(), high = in.u32();
+    header.error = std::bit_cast<double>(low | high << 32);
+  }
+  const std::uint32_t coder = how & 0x3f;
+  const std::uint32_t predictor = coder <= static_cast<std::uint32_t>(Coder::planes) ? in.u8() : 0;
   if (!in.ok()) return Failure{in.error()};
   const auto invalid = [&](const char* what, std::uint32_t value) {
     return fail(ErrorCode::invalid, Place::byte, at,
@@ -46,6 +125,9 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
   if (domain > static_cast<std::uint32_t>(Domain::face)) return invalid("domain", domain);
   if (scalar >= scalar_count) return invalid("scalar type", scalar);
   if (components == 0) return invalid("components", components);
+  if (coder >= coder_count) return invalid("coder", coder);
+  if (changed && !(header.error > 0 && std::isfinite(header.error)))
+    return fail(ErrorCode::invalid, Place::byte, at, "an attribute with an error that is none");
   if (predictor > static_cast<std::uint32_t>(Predictor::parallelogram) ||
       (predictor == static_cast<std::uint32_t>(Predictor::parallelogram) &&
        domain != static_cast<std::uint32_t>(Domain::vertex)))
@@ -56,6 +138,9 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
   header.attribute.domain = static_cast<Domain>(domain);
   header.attribute.scalar = static_cast<Scalar>(scalar);
   header.attribute.components = static_cast<std::uint8_t>(components);
+  header.coder = static_cast<Coder>(coder);
+  header.narrow = (how & 0x40) == 0;
+  if (header.coder == Coder::words && !header.narrow) return invalid("coder", how);
   header.predictor = static_cast<Predictor>(predictor);
   header.bytes = in.position();
   return header;

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <variant>
 #include <vector>
 
 namespace clers::internal {
@@ -27,6 +28,9 @@ struct Axis {
 inline constexpr std::uint64_t most_narrow = (std::uint64_t(1) << 29) - 1;
 /// The greatest top of all.
 inline constexpr std::uint64_t most_wide = (std::uint64_t(1) << 60) - 1;
+
+/// Memory for them, narrow or wide.
+using Rows = std::variant<std::vector<std::int32_t>, std::vector<std::int64_t>>;
 
 /// The integers of all values, a row each, in the order of the values.
 template <class Int>

@@ -1,4 +1,5 @@
-// The parallelograms that end at a vertex. It knows the surface, but no values.
+// The parallelograms that end at a vertex, and its walk around it. It knows the surface, but no
+// values.
 #ifndef CLERS_CODEC_ATTRIBUTES_PARALLELOGRAMS_H
 #define CLERS_CODEC_ATTRIBUTES_PARALLELOGRAMS_H
 
@@ -9,9 +10,39 @@
 
 namespace clers::internal {
 
-/// Calls visit(a, b, c) for each triangle around vertex v, counterclockwise from the one that
-/// introduces it, if there is a triangle across from v and all three vertices were introduced
-/// before: v is predicted at a + b - c (Touma and Gotsman 1998).
+/// Where vertex v is in the triangle that introduces it: the half-edge there that leaves v.
+/// Precondition: a triangle has v.
+inline HalfEdge introducing_corner(const CodedSurface& surface, std::uint32_t v) {
+  HalfEdge h = half_edge(Face(surface.introduced_by[v]), 0);
+  while (surface.corners[h.index()] != v) h = lnext(h);
+  return h;
+}
+
+/// Calls visit(h) for each triangle around the vertex that half-edge `first` leaves; h is the
+/// half-edge of that triangle that leaves the vertex:
+///
+///          v
+///         / \         .
+///     h  /   \        .
+///       a-----b       counterclockwise around v from a to b
+///
+/// Counterclockwise from `first`; where some are beyond the boundary, those clockwise from it
+/// follow. Where v has copies, the triangles are those around the copy that `first` leaves.
+/// Precondition: twins are there. Cost: linear in what is visited.
+template <class Visit>
+void for_each_around(const CodedSurface& surface, HalfEdge first, Visit visit) {
+  HalfEdge h = first;
+  do {
+    visit(h);
+    h = surface.twins[lprev(h).index()];
+  } while (h && h != first);
+  if (h) return;
+  for (h = surface.twins[first.index()]; h; h = surface.twins[h.index()]) visit(h = lnext(h));
+}
+
+/// Calls visit(a, b, c) for each triangle around the vertex v that `first` leaves, in the order of
+/// for_each_around, if there is a triangle across from v and known(u) holds for all three vertices
+/// u: v is predicted at a + b - c (Touma and Gotsman 1998).
 ///
 ///          v
 ///         / \         .
@@ -19,28 +50,28 @@ namespace clers::internal {
 ///         \ /
 ///          c
 ///
-/// Where v has copies, the triangles are those around the copy that is introduced first. Where some
-/// are beyond the boundary, those clockwise from the first one follow. Preconditions: a triangle
-/// has v; twins are there. Cost: linear in the triangles around that copy.
+/// Precondition: twins are there. Cost: linear in the triangles around that copy of v.
+template <class Known, class Visit>
+void for_each_parallelogram(const CodedSurface& surface, HalfEdge first, const Known& known,
+                            Visit visit) {
+  for_each_around(surface, first, [&](HalfEdge h) {
+    const HalfEdge across = surface.twins[lnext(h).index()];
+    if (!across) return;
+    const std::uint32_t a = surface.corners[lnext(h).index()],
+                        b = surface.corners[lprev(h).index()],
+                        c = surface.corners[lprev(across).index()];
+    if (known(a) && known(b) && known(c)) visit(a, b, c);
+  });
+}
+
+/// The same where vertices are visited in the order of their introduction: what was introduced
+/// before v is known. Where v has copies, the triangles are those around the copy that is
+/// introduced first. Precondition: a triangle has v.
 template <class Visit>
 void for_each_parallelogram(const CodedSurface& surface, std::uint32_t v, Visit visit) {
-  const auto at = [&](HalfEdge h) { return surface.corners[h.index()]; };
-  const auto twin = [&](HalfEdge h) { return surface.twins[h.index()]; };
-  const auto look = [&](HalfEdge from_v) {
-    const HalfEdge across = twin(lnext(from_v));
-    if (!across) return;
-    const std::uint32_t a = at(lnext(from_v)), b = at(lprev(from_v)), c = at(lprev(across));
-    if (surface.before(a, v) && surface.before(b, v) && surface.before(c, v)) visit(a, b, c);
-  };
-  HalfEdge first = half_edge(Face(surface.introduced_by[v]), 0);
-  while (at(first) != v) first = lnext(first);
-  HalfEdge h = first;
-  do {
-    look(h);
-    h = twin(lprev(h));
-  } while (h && h != first);
-  if (h) return;
-  for (h = twin(first); h; h = twin(h)) look(h = lnext(h));
+  for_each_parallelogram(
+      surface, introducing_corner(surface, v),
+      [&](std::uint32_t u) { return surface.before(u, v); }, visit);
 }
 
 }  // namespace clers::internal

@@ -31,7 +31,44 @@
 #define CLERS_SSE2 0
 #endif
 
+// Whether doubles are calculated with on the x87, which rounds to 64 bits unless told otherwise.
+#if defined(__i386__) && !defined(__SSE2_MATH__)
+#if !defined(__GNUC__)
+#error "a way to make the x87 round to doubles"
+#endif
+#define CLERS_X87 1
+#else
+#define CLERS_X87 0
+#endif
+
 namespace clers::internal {
+
+/// While there is one, each operation on doubles rounds to a double, as elsewhere. Results that are
+/// smaller than normal doubles are still rounded twice.
+class DoublePrecision {
+ public:
+  DoublePrecision() {
+#if CLERS_X87
+    asm volatile("fnstcw %0" : "=m"(before_));
+    set(static_cast<unsigned short>((before_ & ~0x300) | 0x200));
+#endif
+  }
+  ~DoublePrecision() {
+#if CLERS_X87
+    set(before_);
+#endif
+  }
+  DoublePrecision(const DoublePrecision&) = delete;
+  DoublePrecision& operator=(const DoublePrecision&) = delete;
+
+#if CLERS_X87
+ private:
+  static void set(unsigned short control) {
+    asm volatile("fldcw %0" : : "m"(control) : "memory");
+  }
+  unsigned short before_;
+#endif
+};
 
 /// Begins to fetch memory that is written to soon.
 CLERS_ALWAYS_INLINE void fetch_for_writing(const void* p) {

@@ -22,9 +22,46 @@ std::string title(const Attribute& a) {
          std::to_string(a.components) + " " + name(a.scalar) + ")";
 }
 
+/// The colours of the elements that have a value of the attribute.
+std::vector<Colour>& colours_of(ComparedMesh& mesh, const Attribute& a) {
+  std::vector<Colour>& colours = a.domain == Domain::vertex   ? mesh.colour
+                                 : a.domain == Domain::corner ? mesh.corner_values
+                                                              : mesh.face_values;
+  colours.resize(a.data.size() / a.stride());
+  return colours;
+}
+
+/// Combines the colour of each element with the bits of its value of attribute k.
+void add_bits(const Attribute& a, std::size_t k, std::vector<Colour>& colours) {
+  const std::size_t stride = a.stride();
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    Colour h = combine(colours[i], k);
+    for (std::size_t at = 0; at < stride; at += sizeof(Colour)) {
+      Colour word = 0;
+      std::memcpy(&word, a.data.data() + i * stride + at, std::min(sizeof word, stride - at));
+      h = combine(h, word);
+    }
+    colours[i] = h;
+  }
+}
+
+void colour_domain(ComparedMesh& a, ComparedMesh& b, Domain domain, Nearness nearness) {
+  const auto [begin, end] = a.of_domain[static_cast<std::size_t>(domain)];
+  for (std::size_t k = begin; k < end; ++k) {
+    const Attribute &x = *a.attributes[k], &y = *b.attributes[k];
+    if (!a.tolerance[k]) {
+      add_bits(x, k, colours_of(a, x));
+      add_bits(y, k, colours_of(b, y));
+      continue;
+    }
+    for (std::size_t c = 0; c < x.components; ++c)
+      add_near_values(x, y, c, *a.tolerance[k], nearness, colours_of(a, x), colours_of(b, y));
+  }
+}
+
 }  // namespace
 
-ComparedMesh::ComparedMesh(const Mesh& mesh)
+ComparedMesh::ComparedMesh(const Mesh& mesh, std::span<const Tolerance> tolerances)
     : faces(mesh.corners, mesh.face_sizes), colour(mesh.vertex_count) {
   for (const Attribute& a : mesh.attributes) attributes.push_back(&a);
   std::stable_sort(attributes.begin(), attributes.end(),
@@ -34,20 +71,10 @@ ComparedMesh::ComparedMesh(const Mesh& mesh)
     auto& [begin, end] = of_domain[static_cast<std::size_t>(a.domain)];
     if (begin == end) begin = k;
     end = k + 1;
-    const std::size_t count = mesh.value_count(a.domain), stride = a.stride();
-    std::vector<Colour>& target = a.domain == Domain::vertex   ? colour
-                                  : a.domain == Domain::corner ? corner_values
-                                                               : face_values;
-    target.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      Colour h = combine(target[i], k);
-      for (std::size_t at = 0; at < stride; at += sizeof(Colour)) {
-        Colour word = 0;
-        std::memcpy(&word, a.data.data() + i * stride + at, std::min(sizeof word, stride - at));
-        h = combine(h, word);
-      }
-      target[i] = h;
-    }
+    const auto given = std::find_if(tolerances.begin(), tolerances.end(), [&](const auto& t) {
+      return t.name == a.name && (!t.domain || t.domain == a.domain);
+    });
+    tolerance.push_back(given != tolerances.end() ? std::optional(given->error) : std::nullopt);
   }
 }
 
@@ -88,6 +115,17 @@ std::optional<std::string> attributes_differ(const ComparedMesh& a, const Compar
            " mesh";
   }
   return std::nullopt;
+}
+
+void colour_values(ComparedMesh& a, ComparedMesh& b) {
+  for (const Domain domain : {Domain::vertex, Domain::corner, Domain::face})
+    colour_domain(a, b, domain, Nearness::linked);
+}
+
+void colour_vertices(ComparedMesh& a, ComparedMesh& b, Nearness nearness) {
+  std::fill(a.colour.begin(), a.colour.end(), 0);
+  std::fill(b.colour.begin(), b.colour.end(), 0);
+  colour_domain(a, b, Domain::vertex, nearness);
 }
 
 }  // namespace clers::internal

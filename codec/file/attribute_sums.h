@@ -2,9 +2,10 @@
 #ifndef CLERS_CODEC_FILE_ATTRIBUTE_SUMS_H
 #define CLERS_CODEC_FILE_ATTRIBUTE_SUMS_H
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <string>
+#include <utility>
 
 #include "codec/info.h"
 #include "codec/mesh.h"
@@ -16,15 +17,18 @@ class AttributeSums {
  public:
   explicit AttributeSums(MeshInfo& info) : info_(&info) {}
 
-  /// Attribute i of the mesh, or of one more piece of it; those before i were entered. `what` has a
-  /// name, domain, scalar and components. The first "position" of vertices is the position.
-  template <class What>
-  void add(std::size_t i, const What& what, std::uint64_t count, std::uint64_t bytes) {
+  /// Attribute i of the mesh, or of one more piece of it, where `count` of its values are new;
+  /// those before i were entered. How it is coded is said of the first piece. The first "position"
+  /// of vertices is the position.
+  void add(std::size_t i, AttributeInfo what, std::uint64_t count) {
+    const std::uint64_t bytes = what.bytes;
     if (i == info_->attributes.size()) {
-      info_->attributes.push_back(
-          {std::string(what.name), what.domain, what.scalar, what.components, 0, 0});
       if (position_ == none && what.domain == Domain::vertex && what.name == position_name)
         position_ = i;
+      what.count = what.bytes = 0;
+      info_->attributes.push_back(std::move(what));
+    } else {
+      info_->attributes[i].error = std::max(info_->attributes[i].error, what.error);
     }
     info_->attributes[i].count += count;
     info_->attributes[i].bytes += bytes;

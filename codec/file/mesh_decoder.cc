@@ -26,13 +26,13 @@ struct DecodedFaces {
   Mesh mesh;
   std::size_t surface_corners = 0;           ///< so many of mesh.corners are its triangles
   std::vector<std::uint32_t> triangles;      ///< or, with polygons, these are
-  std::vector<std::uint32_t> introduced_by;  ///< where it is wanted
+  std::vector<std::uint32_t> introduced_by;  ///< where they are wanted
+  std::vector<HalfEdge> twins;               ///< likewise
   std::vector<ReversedRun> reversed;
   ConnectivityCounts counts;
 
   CodedSurface surface() const {
-    return {triangles.empty() ? std::span(mesh.corners).first(surface_corners) : triangles,
-            {},
+    return {triangles.empty() ? std::span(mesh.corners).first(surface_corners) : triangles, twins,
             introduced_by};
   }
 };
@@ -72,14 +72,17 @@ Expected<DecodedSurface> decode_surface(const PieceSections& sections,
   return result;
 }
 
-/// Whether some values are predicted along the surface.
-bool predicts_along_surface(const PieceSections& sections, Values values) {
-  return values == Values::decode &&
-         std::any_of(sections.attributes.begin(), sections.attributes.end(),
-                     [](const auto& a) { return a.header.predictor == Predictor::parallelogram; });
+/// The most that the values of a piece are decoded along.
+Along decoded_along(const PieceSections& sections, Values values) {
+  Along most = Along::nothing;
+  if (values == Values::decode)
+    for (const PieceSections::AttributeSection& a : sections.attributes)
+      most = std::max(most, along(a.header));
+  return sections.features == feature::raw ? std::min(most, Along::surface) : most;
 }
 
-Expected<DecodedFaces> decode_faces(const PieceSections& sections, bool with_introduced) {
+Expected<DecodedFaces> decode_faces(const PieceSections& sections, Along along_what) {
+  const bool with_introduced = along_what != Along::nothing;
   DecodedFaces result;
   Mesh& mesh = result.mesh;
   mesh.vertex_count = static_cast<std::uint32_t>(sections.vertices);
@@ -105,7 +108,8 @@ Expected<DecodedFaces> decode_faces(const PieceSections& sections, bool with_int
   // What is appended to triangles finds room behind them.
   triangles.reserve(polygons ? surface_corners : static_cast<std::size_t>(sections.corners));
   triangles.resize(surface_corners);
-  auto surface = decode_surface(sections, triangles, {}, with_introduced);
+  if (along_what == Along::twins) result.twins.resize(surface_corners);
+  auto surface = decode_surface(sections, triangles, result.twins, with_introduced);
   if (!surface) return Failure{surface.error()};
   result.counts = surface->counts;
   result.reversed = std::move(surface->reversed);
@@ -152,6 +156,17 @@ std::uint64_t attribute_memory(const Attribute& what, std::uint64_t count) {
   return sizeof(Attribute) + what.name.size() + count * what.stride();
 }
 
+/// What an attribute takes from when it is read until its values are there, and at most besides.
+struct ValuesMemory {
+  std::uint64_t held, step;
+};
+ValuesMemory memory_of(const PieceSections::AttributeSection& a) {
+  const AttributeMemory memory = decoding_memory(a.header, a.count);
+  const std::uint64_t result = attribute_memory(a.header.attribute, a.count);
+  return {std::max(memory.begun, result) + sizeof(Expected<BegunAttribute>),
+          std::max(memory.beginning, result + memory.finishing)};
+}
+
 }  // namespace
 
 PieceMemory memory_of(const PieceSections& s, Values values) {
@@ -186,19 +201,24 @@ PieceMemory memory_of(const PieceSections& s, Values values) {
   }
   memory.values = memory.result + runs + (raw || polygons ? triangles : 0);
   if (values == Values::decode) {
-    const std::uint64_t held =
-        sizeof(Expected<Bytes>) * s.attributes.size() +
-        (predicts_along_surface(s, values)
-             ? each * (raw ? s.corners > 0 ? s.vertices : 0 : s.connectivity.vertices)
-             : 0);
+    const Along along = decoded_along(s, values);
+    std::uint64_t held = sizeof(Expected<BegunAttribute>) * s.attributes.size();
+    if (along != Along::nothing)
+      held += each * (raw ? s.corners > 0 ? s.vertices : 0 : s.connectivity.vertices);
+    if (along == Along::twins) {
+      const std::uint64_t twins = sizeof(HalfEdge) * 3 * s.connectivity.faces;
+      held += twins;
+      memory.faces +=
+          connectivity_memory(s.connectivity, true) - connectivity_memory(s.connectivity, false);
+    }
     memory.faces += held;
     memory.values += held;
     std::uint64_t most = 0;
     for (const PieceSections::AttributeSection& a : s.attributes) {
-      const std::uint64_t size = attribute_memory(a.header.attribute, a.count);
-      memory.result += size;
-      memory.values += size + sizeof(std::uint64_t);
-      most = std::max(most, decoding_memory(a.header, a.count));
+      const ValuesMemory values_memory = memory_of(a);
+      memory.result += attribute_memory(a.header.attribute, a.count);
+      memory.values += values_memory.held;
+      most = std::max(most, values_memory.step);
     }
     memory.values += most;
   }
@@ -217,10 +237,11 @@ unsigned workers_of(const PieceSections& sections, const PieceMemory& memory, un
   if (sections.corners < worth_threads) threads = 1;
   std::vector<std::uint64_t> steps;
   steps.reserve(attributes);
-  std::uint64_t residuals = 0;
+  std::uint64_t read = 0;
   for (const PieceSections::AttributeSection& a : sections.attributes) {
-    steps.push_back(decoding_memory(a.header, a.count));
-    residuals += attribute_memory(a.header.attribute, a.count);
+    const ValuesMemory of_values = memory_of(a);
+    steps.push_back(of_values.step);
+    read += of_values.held;
   }
   std::sort(steps.begin(), steps.end(), std::greater<>());
   const std::uint64_t held = memory.values - steps[0];
@@ -230,7 +251,7 @@ unsigned workers_of(const PieceSections& sections, const PieceMemory& memory, un
   for (; fit < most; ++fit) {
     others += steps[fit - 1];
     const std::uint64_t after = others + (fit < attributes ? steps[fit] : 0);
-    if (std::max(memory.faces + residuals + others, held + after) > left) break;
+    if (std::max(memory.faces + read + others, held + after) > left) break;
   }
   return fit;
 }
@@ -239,36 +260,44 @@ unsigned workers_of(const PieceSections& sections, const PieceMemory& memory, un
 
 Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values, unsigned threads,
                                     std::uint64_t left) {
-  const bool along_surface = predicts_along_surface(sections, values);
+  const Along along = decoded_along(sections, values);
   const std::size_t attributes = values == Values::decode ? sections.attributes.size() : 0;
   const unsigned workers =
       attributes == 0 ? 1 : workers_of(sections, memory_of(sections, values), threads, left);
 
-  // Residuals need no faces, values need both: so first faces and residuals, then values. Whatever
-  // the threads do, the error of the faces comes first, then that of the first attribute.
+  // What needs no faces is read beside them, then values are made of both. Whatever the threads do,
+  // the error of the faces comes first, then that of the first attribute.
   Expected<DecodedFaces> decoded = fail(ErrorCode::internal, "not decoded");
-  std::vector<Expected<Bytes>> residuals(attributes, fail(ErrorCode::internal, "not decoded"));
+  std::vector<Expected<BegunAttribute>> begun(attributes, fail(ErrorCode::internal, "not decoded"));
   std::atomic<bool> in_vain{false};
   for_each_item(1 + attributes, workers, [&](std::size_t i, unsigned) {
     if (i == 0) {
-      decoded = decode_faces(sections, along_surface);
+      decoded = decode_faces(sections, along);
       in_vain = !decoded.ok();
     } else if (!in_vain) {
       const PieceSections::AttributeSection& a = sections.attributes[i - 1];
-      residuals[i - 1] = decode_residuals(a.bytes, a.at, a.header, a.count);
+      begun[i - 1] = begin_attribute(a.bytes, a.at, a.header, a.count);
     }
   });
   if (!decoded) return Failure{decoded.error()};
-  for (const auto& rows : residuals)
-    if (!rows) return Failure{rows.error()};
+  for (const auto& attribute : begun)
+    if (!attribute) return Failure{attribute.error()};
 
   const CodedSurface surface = decoded->surface();  // survives the move
   DecodedPiece result{std::move(decoded->mesh), decoded->counts, 0};
   result.mesh.attributes.resize(attributes);
+  std::vector<Expected<Done>> finished(attributes, Done{});
   for_each_item(attributes, workers, [&](std::size_t i, unsigned) {
-    result.mesh.attributes[i] =
-        reconstruct(sections.attributes[i].header, std::move(*residuals[i]), surface);
+    const PieceSections::AttributeSection& a = sections.attributes[i];
+    auto attribute =
+        finish_attribute(a.bytes, a.at, a.header, a.count, std::move(*begun[i]), surface);
+    if (attribute)
+      result.mesh.attributes[i] = std::move(*attribute);
+    else
+      finished[i] = Failure{attribute.error()};
   });
+  for (const auto& ok : finished)
+    if (!ok) return Failure{ok.error()};
   // Not before: values are predicted along faces that all run one way.
   reverse_runs(result.mesh.corners, result.mesh.face_sizes, decoded->reversed);
   result.reversed_faces = count_reversed(decoded->reversed);

@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "codec/attributes/attribute_encoder.h"
 #include "codec/base/check.h"
 #include "codec/base/parallel.h"
 #include "codec/base/utf8.h"
@@ -26,9 +25,11 @@ namespace {
 
 class MeshEncoder {
  public:
-  MeshEncoder(const MeshView& mesh, const EncodeOptions& options)
+  MeshEncoder(const MeshView& mesh, const EncodeOptions& options,
+              std::span<const AttributePlan> plans)
       : mesh_(mesh),
         options_(options),
+        plans_(plans),
         all_(mesh.corners, mesh.face_sizes),
         regular_(all_, mesh.face_sizes, mesh.vertex_count) {}
 
@@ -36,9 +37,7 @@ class MeshEncoder {
   Expected<Done> run(unsigned threads, const Progress& progress) {
     auto coded =
         encode_surface(regular_.corners(), regular_.sizes(), mesh_.vertex_count, options_.level,
-                       mesh_.attributes.empty() && regular_.degenerate().empty() ? Wanted::nothing
-                                                                                 : Wanted::surface,
-                       [&] { return raw_bytes() < 3 * mesh_.face_count() / 2; });
+                       wanted(), [&] { return raw_bytes() < 3 * mesh_.face_count() / 2; });
     if (!coded) return Failure{coded.error()};
     Bytes payload, kept_order;
     CodedArrays surface;
@@ -86,6 +85,14 @@ class MeshEncoder {
   EncodedMesh result;
 
  private:
+  Wanted wanted() const {
+    for (const AttributeView a : mesh_.attributes)
+      if (a.domain == Domain::vertex && options_.level >= first_level_with_twins)
+        return Wanted::surface_with_twins;
+    return mesh_.attributes.empty() && regular_.degenerate().empty() ? Wanted::nothing
+                                                                     : Wanted::surface;
+  }
+
   Permutation& order() { return result.order; }
   MeshInfo& info() { return result.info; }
   void put(SectionKind kind, Bytes payload) {
@@ -174,32 +181,37 @@ class MeshEncoder {
     result.counts = {count_reversed(coded.reversed_runs), in_word_order(coded.counts.symbols)};
   }
 
+  AttributePlan plan(std::size_t attribute) const {
+    return plans_.empty() ? AttributePlan{} : plans_[attribute];
+  }
+
   template <class Progress>
   Expected<Done> attributes(const CodedSurface& surface, unsigned threads,
                             const Progress& progress) {
     const std::size_t count = mesh_.attributes.size();
-    std::vector<Expected<Bytes>> coded(count,
-                                       fail(ErrorCode::internal, "an attribute is not encoded"));
+    std::vector<Expected<EncodedAttribute>> coded(
+        count, fail(ErrorCode::internal, "an attribute is not encoded"));
     for_each_item(count, threads, [&](std::size_t i, unsigned worker) {
       const AttributeView a = mesh_.attributes[i];
       if (worker == 0)
         progress(a.name, 0.4 + 0.6 * static_cast<double>(i) / static_cast<double>(count));
       Attribute permuted{std::string(a.name), a.domain, a.scalar, a.components, {}};
       permuted.data = permuted_values(a, all_, result.order);
-      coded[i] = encode_attribute(permuted, surface, options_.level);
+      coded[i] = encode_attribute(permuted, surface, options_.level, plan(i));
     });
     AttributeSums sums(info());
     for (std::size_t i = 0; i < count; ++i) {
       if (!coded[i]) return Failure{coded[i].error()};
-      const AttributeView a = mesh_.attributes[i];
-      sums.add(i, a, mesh_.value_count(a.domain), coded[i]->size());
-      put(SectionKind::attribute, std::move(*coded[i]));
+      const std::uint64_t values = coded[i]->info.count;
+      sums.add(i, std::move(coded[i]->info), values);
+      put(SectionKind::attribute, std::move(coded[i]->bytes));
     }
     return Done{};
   }
 
   const MeshView mesh_;
   const EncodeOptions& options_;
+  const std::span<const AttributePlan> plans_;
   const Cycles all_;
   const RegularFaces regular_;
   std::uint32_t surface_vertices_ = 0;
@@ -220,9 +232,10 @@ Expected<Done> check(const MeshView& mesh, const EncodeOptions& options) {
 }
 
 Expected<EncodedMesh> encode_mesh(const MeshView& mesh, const EncodeOptions& options,
-                                  unsigned threads, const Progress& progress) {
+                                  std::span<const AttributePlan> plans, unsigned threads,
+                                  const Progress& progress) {
   progress("connectivity", 0.0);
-  MeshEncoder encoder(mesh, options);
+  MeshEncoder encoder(mesh, options, plans);
   if (auto ok = encoder.run(threads, progress); !ok) return Failure{ok.error()};
   return std::move(encoder.result);
 }

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "codec/attributes/attribute_encoder.h"
 #include "codec/entropy/bytes.h"
 #include "codec/error.h"
 #include "codec/file/container.h"
@@ -42,7 +43,8 @@ using Progress = std::function<void(std::string_view stage, double share)>;
 /// Precondition: check() has passed it. Errors: internal, limit.
 /// Throws std::bad_alloc only.
 Expected<EncodedMesh> encode_mesh(const MeshView& mesh, const EncodeOptions& options,
-                                  unsigned threads, const Progress& progress);
+                                  std::span<const AttributePlan> plans, unsigned threads,
+                                  const Progress& progress);
 
 }  // namespace clers::internal
 

@@ -33,9 +33,16 @@ Expected<MeshInfo> info_of(const MeshSections& s, bool with_metadata) {
                             piece.degenerate.stream.bytes.size() + piece.seam_size;
     for (std::size_t i = 0; i < piece.attributes.size(); ++i) {
       const PieceSections::AttributeSection& a = piece.attributes[i];
-      const Attribute& what = a.header.attribute;
-      sums.add(i, what, a.count - (what.domain == Domain::vertex ? piece.seam.shared : 0),
-               a.bytes.size());
+      AttributeInfo what = info_of(a.header);
+      what.count = a.count;
+      what.bytes = a.bytes.size();
+      if (&piece == s.pieces.data()) {
+        auto numbers = describe_numbers(a.bytes, a.at, a.header, a.count);
+        if (!numbers) return Failure{numbers.error()};
+        what.numbers = std::move(*numbers);
+      }
+      sums.add(i, std::move(what),
+               a.count - (what.domain == Domain::vertex ? piece.seam.shared : 0));
     }
   }
   if (s.metadata) mesh.metadata_bytes = s.metadata->payload_size;

@@ -26,7 +26,7 @@ void add(const MeshInfo& piece, std::uint64_t shared, MeshInfo& whole, Attribute
   whole.stitching_bytes += piece.stitching_bytes;
   for (std::size_t i = 0; i < piece.attributes.size(); ++i) {
     const AttributeInfo& a = piece.attributes[i];
-    sums.add(i, a, a.count - (a.domain == Domain::vertex ? shared : 0), a.bytes);
+    sums.add(i, a, a.count - (a.domain == Domain::vertex ? shared : 0));
   }
 }
 
@@ -38,8 +38,9 @@ void add(const CodingCounts& piece, CodingCounts& whole) {
 }  // namespace
 
 Expected<EncodedMesh> encode_piece(PieceCutter::Piece piece, std::span<const std::uint32_t> faces,
-                                   const EncodeOptions& options, const Progress& progress) {
-  auto coded = encode_mesh(piece.mesh, options, 1, progress);
+                                   const EncodeOptions& options,
+                                   std::span<const AttributePlan> plans, const Progress& progress) {
+  auto coded = encode_mesh(piece.mesh, options, plans, 1, progress);
   if (!coded) return coded;
   for (std::uint32_t& v : coded->order.vertices) v = piece.vertices[v];
   for (std::uint32_t& f : coded->order.faces) f = faces[f];

@@ -15,7 +15,8 @@ namespace clers::internal {
 /// Encodes a piece. The order that comes with it is that of the whole mesh. Options: in the order
 /// of the codec.
 Expected<EncodedMesh> encode_piece(PieceCutter::Piece piece, std::span<const std::uint32_t> faces,
-                                   const EncodeOptions& options, const Progress& progress);
+                                   const EncodeOptions& options,
+                                   std::span<const AttributePlan> plans, const Progress& progress);
 
 /// Makes one mesh of coded pieces: adds up what was found in them, and inserts the seams.
 EncodedMesh join_pieces(std::vector<EncodedMesh> pieces, const MeshView& mesh, Order order);

@@ -5,7 +5,7 @@
 #include <bit>
 
 #include "codec/base/portable.h"
-#include "codec/symbols/logistic.h"
+#include "codec/entropy/logistic.h"
 #include "codec/symbols/mixing_weights.h"
 
 namespace clers::internal {

@@ -15,7 +15,7 @@
 
 #include "codec/entropy/coder.h"
 #include "codec/entropy/rans.h"
-#include "codec/symbols/mixer.h"
+#include "codec/entropy/mixer.h"
 #include "codec/symbols/neighbourhood.h"
 #include "codec/symbols/symbol.h"
 #include "topology/front.h"

@@ -18,71 +18,17 @@
 #include "codec/soup/adjacency.h"
 #include "codec/soup/raw_faces.h"
 #include "codec/test/attribute.h"
+#include "codec/test/coded_surfaces.h"
 #include "codec/test/file_builder.h"
-#include "codec/test/legal_streams.h"
 #include "corpus/generate.h"
 #include "corpus/random.h"
 
 namespace clers::internal {
 namespace {
 
-/// A coded surface that owns its memory.
-struct Surface {
-  std::vector<std::uint32_t> corners, introduced_by;
-  std::vector<HalfEdge> twins;
-
-  CodedSurface view() const { return {corners, twins, introduced_by}; }
-};
-
-Surface decoded(std::span<const std::byte> bytes) {
-  const auto header = read_connectivity_header(bytes, 0);
-  EXPECT_TRUE(header.ok());
-  Surface s;
-  s.corners.resize(3 * std::size_t(header->faces));
-  s.twins.resize(s.corners.size());
-  s.introduced_by.resize(header->vertices);
-  EXPECT_TRUE(decode_connectivity(bytes, 0, *header, s.corners, s.twins, s.introduced_by).ok());
-  return s;
-}
-
-Surface coded(const Mesh& mesh) {
-  auto twins = find_twins({mesh.corners, mesh.face_sizes}, mesh.vertex_count);
-  EXPECT_TRUE(twins.ok());
-  const auto bytes = encode_connectivity({mesh.corners, *twins, mesh.vertex_count}, 5);
-  EXPECT_TRUE(bytes.ok());
-  return decoded(bytes->bytes);
-}
-
-/// The surface with some of its vertices made one, as copies are.
-Surface stitched(Surface s, corpus::Random& random) {
-  const auto vertices = static_cast<std::uint32_t>(s.introduced_by.size());
-  const std::uint32_t least = 1 + random.below(vertices);
-  for (std::uint32_t& v : s.corners)
-    if (v >= least) v = (v * 7 + 3) % least;
-  s.introduced_by.assign(least, 0);
-  find_introducing(s.corners, s.introduced_by);
-  return s;
-}
-
-/// All kinds: closed, with holes, handles, components; then vertices made one.
-std::vector<Surface> surfaces() {
-  std::vector<Surface> all;
-  for (const Mesh& mesh :
-       {corpus::single_triangle(), corpus::glued_pair(), corpus::tetrahedron(),
-        corpus::icosphere(2), corpus::torus(9, 7), corpus::grid(9, 5), corpus::loose_triangles(5),
-        corpus::punch_holes(corpus::torus(20, 15), 12, 1),
-        corpus::copies(corpus::punch_holes(corpus::icosphere(2), 3, 1), 3)})
-    all.push_back(coded(mesh));
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    corpus::Random random(seed);
-    const LegalStream stream =
-        legal_stream(1 + random.below(60), [&](std::uint32_t n) { return random.below(n); });
-    all.push_back(decoded(stream.bytes));
-  }
-  corpus::Random random(1);
-  for (std::size_t i = 0, n = all.size(); i < n; ++i) all.push_back(stitched(all[i], random));
-  return all;
-}
+using test::coded;
+using test::coded_surfaces;
+using Surface = CodedArrays;
 
 /// The order of first use, by a search.
 std::vector<std::uint32_t> first_uses(std::span<const std::uint32_t> corners) {
@@ -129,7 +75,7 @@ std::vector<Triple> parallelograms(const Surface& s, std::uint32_t v,
 }
 
 TEST(Introduction, IsInTheOrderOfFirstUse) {
-  for (const Surface& s : surfaces()) {
+  for (const Surface& s : coded_surfaces()) {
     const std::vector<std::uint32_t> expected = first_uses(s.corners);
     std::vector<std::uint32_t> order;
     for_each_introduced(s.view(), [&](std::uint32_t t, unsigned i) {
@@ -145,7 +91,7 @@ TEST(Introduction, IsInTheOrderOfFirstUse) {
 
 TEST(Parallelograms, EndAtVerticesIntroducedLater) {
   std::size_t found = 0, several = 0;
-  for (const Surface& s : surfaces()) {
+  for (const Surface& s : coded_surfaces()) {
     const std::vector<std::uint32_t> order = first_uses(s.corners);
     std::map<std::uint32_t, std::size_t> place;
     for (std::size_t i = 0; i < order.size(); ++i) place[order[i]] = i;
@@ -204,7 +150,7 @@ void expect_guesses(const CodedSurface& surface, std::uint32_t vertices) {
 }
 
 TEST(Prediction, IsAsTheFormatSays) {
-  for (const Surface& s : surfaces())
+  for (const Surface& s : coded_surfaces())
     expect_guesses(s.view(), static_cast<std::uint32_t>(s.introduced_by.size()));
 }
 
@@ -222,6 +168,17 @@ TEST(Prediction, IsAsTheFormatSaysWithoutASurface) {
   }
 }
 
+/// Both steps of decoding.
+Expected<Attribute> decoded_attribute(std::span<const std::byte> bytes, std::uint64_t count,
+                                      const CodedSurface& surface) {
+  const auto header = read_attribute_header(bytes, 0);
+  if (!header) return Failure{header.error()};
+  if (auto ok = check_values(bytes, 0, *header, count); !ok) return Failure{ok.error()};
+  auto begun = begin_attribute(bytes, 0, *header, count);
+  if (!begun) return Failure{begun.error()};
+  return finish_attribute(bytes, 0, *header, count, std::move(*begun), surface);
+}
+
 TEST(Attributes, ComeBackByAnyPredictor) {
   const Surface s = coded(corpus::punch_holes(corpus::torus(20, 15), 12, 1));
   const auto vertices = static_cast<std::uint32_t>(s.introduced_by.size());
@@ -232,16 +189,14 @@ TEST(Attributes, ComeBackByAnyPredictor) {
         std::vector<std::byte> values(vertices * components * size_of(Scalar(scalar)));
         for (std::byte& b : values) b = std::byte(random.below(256));
         Attribute in{name, Domain::vertex, Scalar(scalar), std::uint8_t(components), values};
-        const auto bytes = encode_attribute(in, s.view(), 1);
-        ASSERT_TRUE(bytes.ok());
-        const auto header = read_attribute_header(*bytes, 0);
-        ASSERT_TRUE(header.ok());
-        ASSERT_TRUE(check_values(*bytes, 0, *header, vertices).ok());
-        auto residuals = decode_residuals(*bytes, 0, *header, vertices);
-        ASSERT_TRUE(residuals.ok());
-        const Attribute out = reconstruct(*header, std::move(*residuals), s.view());
-        EXPECT_EQ(out.data, in.data);
-        EXPECT_EQ(out.name, in.name);
+        for (int level = 1; level <= 9; level += 2) {
+          const auto coded = encode_attribute(in, s.view(), level);
+          ASSERT_TRUE(coded.ok());
+          const auto out = decoded_attribute(coded->bytes, vertices, s.view());
+          ASSERT_TRUE(out.ok()) << describe(out.error());
+          EXPECT_EQ(out->data, in.data);
+          EXPECT_EQ(out->name, in.name);
+        }
       }
 }
 
@@ -250,6 +205,7 @@ TEST(Attributes, FacesWithoutTrianglesPredictNothing) {
   const std::vector<std::uint32_t> corners = {0, 2, 1, 3}, sizes = {2, 2};
   test::Payload values;
   values.u8(1).text("a").u8(0).u8(static_cast<std::uint32_t>(Scalar::uint8)).u8(1);
+  values.u8(static_cast<std::uint32_t>(Coder::words));
   values.u8(static_cast<std::uint32_t>(Predictor::parallelogram));
   const Bytes residuals = {std::byte{10}, std::byte{2}, std::byte{4}, std::byte{6}};
   values.raw(test::zstd_frame(residuals));

@@ -63,7 +63,7 @@ inline Payload attribute_section(std::string_view name, Domain domain, Scalar sc
   Payload p;
   p.u8(static_cast<std::uint32_t>(name.size())).text(name);
   p.u8(static_cast<std::uint32_t>(domain)).u8(static_cast<std::uint32_t>(scalar));
-  return std::move(p.u8(components).u8(0).raw(frame));
+  return std::move(p.u8(components).u8(0).u8(0).raw(frame));  // words, predicted from nothing
 }
 
 /// Faces one by one, in a stream that need not hold them.

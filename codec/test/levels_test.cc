@@ -9,8 +9,8 @@
 #include "codec/connectivity/connectivity.h"
 #include "codec/entropy/rans.h"
 #include "codec/soup/adjacency.h"
-#include "codec/symbols/logistic.h"
-#include "codec/symbols/mixer.h"
+#include "codec/entropy/logistic.h"
+#include "codec/entropy/mixer.h"
 #include "corpus/generate.h"
 
 namespace clers::internal {

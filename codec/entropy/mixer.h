@@ -2,8 +2,8 @@
 // weights learned as the outcomes come (Mahoney's PAQ).
 //
 // The loops are written twice, with SSE2 and plainly, and give the same weights bit for bit.
-#ifndef CLERS_CODEC_SYMBOLS_MIXER_H
-#define CLERS_CODEC_SYMBOLS_MIXER_H
+#ifndef CLERS_CODEC_ENTROPY_MIXER_H
+#define CLERS_CODEC_ENTROPY_MIXER_H
 
 #include <cstdint>
 
@@ -26,11 +26,12 @@ inline std::int32_t dot(const std::int16_t* x, const std::int32_t* w, unsigned n
   return static_cast<std::int32_t>(sum);
 }
 
-/// w += x * e / 8, rounded down, modulo 2^32.
-inline void train(const std::int16_t* x, std::int32_t* w, unsigned n, std::int16_t e) {
+/// w += x * e / 2^shift, rounded down, modulo 2^32.
+template <int shift = 3>
+void train(const std::int16_t* x, std::int32_t* w, unsigned n, std::int16_t e) {
   for (unsigned i = 0; i < n; ++i)
     w[i] = static_cast<std::int32_t>(static_cast<std::uint32_t>(w[i]) +
-                                     static_cast<std::uint32_t>((x[i] * e) >> 3));
+                                     static_cast<std::uint32_t>((x[i] * e) >> shift));
 }
 
 }  // namespace portable
@@ -51,14 +52,15 @@ inline std::int32_t dot(const std::int16_t* x, const std::int32_t* w, unsigned n
   return _mm_cvtsi128_si32(sum);
 }
 
-inline void train(const std::int16_t* x, std::int32_t* w, unsigned n, std::int16_t e) {
+template <int shift = 3>
+void train(const std::int16_t* x, std::int32_t* w, unsigned n, std::int16_t e) {
   const __m128i error = _mm_set1_epi16(e);
   for (unsigned i = 0; i < n; i += 8) {
     __m128i* const at = reinterpret_cast<__m128i*>(w + i);
     const __m128i in = _mm_load_si128(reinterpret_cast<const __m128i*>(x + i));
     const __m128i low = _mm_mullo_epi16(in, error), high = _mm_mulhi_epi16(in, error);
-    const __m128i first = _mm_srai_epi32(_mm_unpacklo_epi16(low, high), 3);
-    const __m128i second = _mm_srai_epi32(_mm_unpackhi_epi16(low, high), 3);
+    const __m128i first = _mm_srai_epi32(_mm_unpacklo_epi16(low, high), shift);
+    const __m128i second = _mm_srai_epi32(_mm_unpackhi_epi16(low, high), shift);
     _mm_store_si128(at, _mm_add_epi32(_mm_load_si128(at), first));
     _mm_store_si128(at + 1, _mm_add_epi32(_mm_load_si128(at + 1), second));
   }

@@ -1,5 +1,5 @@
 // The tables, made at compile time from integers alone.
-#include "codec/symbols/logistic.h"
+#include "codec/entropy/logistic.h"
 
 namespace clers::internal {
 

@@ -1,7 +1,7 @@
 // Logits in integers: stretch(p) = ln(p / (1-p)) and squash, its inverse, for the mixing of
 // probabilities.
-#ifndef CLERS_CODEC_SYMBOLS_LOGISTIC_H
-#define CLERS_CODEC_SYMBOLS_LOGISTIC_H
+#ifndef CLERS_CODEC_ENTROPY_LOGISTIC_H
+#define CLERS_CODEC_ENTROPY_LOGISTIC_H
 
 #include <algorithm>
 #include <array>

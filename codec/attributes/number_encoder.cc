@@ -1,0 +1,307 @@
+// Places values in systems, and writes what their integers do not say.
+#include "codec/attributes/number_encoder.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <optional>
+#include <utility>
+
+#include "codec/attributes/find_system.h"
+#include "codec/attributes/place_numbers.h"
+#include "codec/base/portable.h"
+#include "codec/entropy/stream.h"
+
+namespace clers::internal {
+namespace {
+
+template <class T>
+WordOf<T> word_of(const ComponentView& view, std::size_t i) {
+  return word_at<WordOf<T>>(view.values.data(), i * view.components + view.component);
+}
+
+/// The least word that sorts below all others of the component.
+template <class T>
+std::uint64_t least_key(const ComponentView& view) {
+  std::uint64_t least = ~std::uint64_t(0);
+  for (std::size_t i = 0; i < view.count(); ++i)
+    least = std::min(least, std::uint64_t(key_of<T>(word_of<T>(view, i))));
+  return view.count() == 0 ? 0 : least;
+}
+
+template <class T, class Map>
+PlacedColumn place_column(const ComponentView& view, NumberSystem system, const Map& map) {
+  constexpr bool words = std::is_same_v<Map, WordMap<T>>;
+  PlacedColumn column;
+  if (words) system.first = static_cast<std::int64_t>(least_key<T>(view));
+  const Placing<T, Map> placing(system, map);
+  const std::size_t count = view.count();
+  column.ks.resize(count);
+  if (has_refinements(system)) column.choices.resize(count);
+  std::int64_t least = 0, greatest = 0;
+  bool any = false;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto word = word_of<T>(view, i);
+    const PlacedNumber p = placing.place(word);
+    column.ks[i] = static_cast<std::uint64_t>(p.k);
+    if (!p.exact) {
+      column.strays.push_back({i, word});
+      continue;
+    }
+    if (!column.choices.empty()) column.choices[i] = p.choice;
+    if (words) {
+      column.top = std::max(column.top, column.ks[i]);
+    } else {
+      least = any ? std::min(least, p.k) : p.k;
+      greatest = any ? std::max(greatest, p.k) : p.k;
+      any = true;
+    }
+  }
+  if (!words) {
+    column.top = static_cast<std::uint64_t>(greatest - least);
+    system.first += least * static_cast<std::int64_t>(system.step);
+    // Strays get what lies near, so that others are predicted well.
+    std::size_t next_stray = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      auto k = static_cast<std::int64_t>(column.ks[i]);
+      if (next_stray < column.strays.size() && column.strays[next_stray].index == i) {
+        ++next_stray;
+        const bool finite = std::isfinite(double(std::bit_cast<T>(word_of<T>(view, i))));
+        k = finite || i == 0 ? std::clamp(k, least, greatest)
+                             : static_cast<std::int64_t>(column.ks[i - 1]) + least;
+      }
+      column.ks[i] = static_cast<std::uint64_t>(k - least);
+    }
+  }
+  column.system = system;
+  return column;
+}
+
+/// How many bits differences to the value before have, in all: what orders of magnitude cost.
+std::uint64_t bits_of_steps(const std::vector<std::uint64_t>& ks) {
+  std::uint64_t bits = 0, before = 0;
+  for (const std::uint64_t k : ks) {
+    bits += static_cast<unsigned>(std::bit_width(zigzag(k - before)));
+    before = k;
+  }
+  return bits;
+}
+
+/// How many low bits of K are better not predicted: those that make integers too wide, or wide
+/// where nothing is near enough to predict them from.
+unsigned choose_low_bits(const PlacedColumn& column) {
+  const auto width = static_cast<unsigned>(std::bit_width(column.top));
+  const unsigned needed = width > 60 ? width - 60 : 0;
+  if (column.top <= most_narrow) return 0;
+  const unsigned narrow = width - static_cast<unsigned>(std::bit_width(most_narrow));
+  std::size_t near = 0;
+  std::uint64_t before = 0;
+  for (const std::uint64_t k : column.ks) {
+    near += zigzag(k - before) >> narrow < 256;
+    before = k;
+  }
+  return near > column.ks.size() / 8 ? needed : narrow;
+}
+
+/// The integers that occur, if they are few and their ranks much shorter; else none.
+std::vector<std::uint64_t> choose_palette(const std::vector<std::uint64_t>& ks, std::uint64_t top) {
+  const std::size_t most = ks.size() / 3;
+  if (most < 2 || top < 8) return {};
+  // A hash table that is given up when it has too many.
+  std::vector<std::uint64_t> table(std::bit_ceil(2 * most), ~std::uint64_t(0)), palette;
+  for (const std::uint64_t k : ks) {
+    std::size_t at = (k * 0x9e3779b97f4a7c15u >> 20) & (table.size() - 1);
+    while (table[at] != k && table[at] != ~std::uint64_t(0)) at = (at + 1) & (table.size() - 1);
+    if (table[at] == k) continue;
+    if (palette.size() == most) return {};
+    table[at] = k;
+    palette.push_back(k);
+  }
+  std::sort(palette.begin(), palette.end());
+  if (palette.size() > top / 2) return {};
+  std::vector<std::uint64_t> ranks(ks.size());
+  for (std::size_t i = 0; i < ks.size(); ++i)
+    ranks[i] = static_cast<std::uint64_t>(std::lower_bound(palette.begin(), palette.end(), ks[i]) -
+                                          palette.begin());
+  const std::uint64_t plain = bits_of_steps(ks), ranked = bits_of_steps(ranks);
+  const std::uint64_t entry = 4 + std::uint64_t(std::bit_width(top / palette.size()));
+  return ranked + entry * palette.size() + plain / 32 < plain ? palette
+                                                              : std::vector<std::uint64_t>();
+}
+
+/// A component, ready to be written.
+struct EncodedColumn {
+  NumberColumn header;
+  std::vector<std::uint64_t> ks;
+  Bytes palette, refinements;
+  EncodedStream strays;
+
+  void put(Bytes& out) const {
+    put_column(out, header);
+    if (!header.axis.palette.empty()) EncodedStream{{}, palette}.put(out);
+    if (has_refinements(header.system)) EncodedStream{{}, refinements}.put(out);
+    if (header.has_strays) strays.put(out);
+  }
+};
+
+template <class Map>
+Bytes encode_refinements(const NumberSystem& s, const Map& map, RefinementCoding coding,
+                         const std::vector<std::uint64_t>& ks,
+                         const std::vector<Refinement>& known) {
+  RefinementCoder<Map> refinements(s, map, coding, ks.size());
+  if (coding != RefinementCoding::bits)
+    return encode_stream([&](auto& coder) {
+      for (std::size_t i = 0; i < ks.size(); ++i) refinements.code(coder, ks[i], known[i]);
+    });
+  Bytes bytes;
+  BitsTo coder(bytes);
+  for (std::size_t i = 0; i < ks.size(); ++i) refinements.code(coder, ks[i], known[i]);
+  coder.finish();
+  return bytes;
+}
+
+/// The way to code them that takes the fewest bytes; below level 5 plain bits, unless they take
+/// more than two bits a value more.
+template <class Map>
+void choose_refinements(EncodedColumn& out, const Map& map, const std::vector<std::uint64_t>& ks,
+                        const std::vector<Refinement>& known, int level) {
+  std::size_t least = 0;
+  for (const RefinementCoding coding :
+       {RefinementCoding::bits, RefinementCoding::adaptive, RefinementCoding::repeating}) {
+    Bytes bytes = encode_refinements(out.header.system, map, coding, ks, known);
+    const bool first = coding == RefinementCoding::bits;
+    if (first || bytes.size() < least) {
+      least = bytes.size();
+      if (first && level < 5) least -= std::min(least, ks.size() / 4);
+      out.header.coding = coding;
+      out.refinements = std::move(bytes);
+    }
+  }
+}
+
+/// Whether integers that are equal have equal refinements: then those of a palette's entries.
+std::optional<std::vector<Refinement>> refinements_of(const std::vector<std::uint64_t>& palette,
+                                                      const std::vector<std::uint64_t>& ks,
+                                                      const std::vector<Refinement>& known) {
+  std::vector<std::optional<Refinement>> of(palette.size());
+  for (std::size_t i = 0; i < ks.size(); ++i) {
+    auto& r = of[static_cast<std::size_t>(std::lower_bound(palette.begin(), palette.end(), ks[i]) -
+                                          palette.begin())];
+    if (r && (r->low != known[i].low || r->choice != known[i].choice)) return std::nullopt;
+    r = known[i];
+  }
+  std::vector<Refinement> all;
+  for (const auto& r : of) all.push_back(*r);
+  return all;
+}
+
+template <class T, class Map>
+EncodedColumn encode_column(PlacedColumn column, const Map& map, int level) {
+  EncodedColumn out;
+  NumberColumn& header = out.header;
+  header.system = column.system;
+  header.system.low_bits = static_cast<std::uint8_t>(choose_low_bits(column));
+  const NumberSystem& s = header.system;
+  header.axis.top = column.top >> s.low_bits;
+  std::vector<Refinement> known;
+  if (has_refinements(s)) {
+    known.resize(column.ks.size());
+    for (std::size_t i = 0; i < known.size(); ++i)
+      known[i] = {column.ks[i] & ((std::uint64_t(1) << s.low_bits) - 1),
+                  column.choices.empty() ? 0 : column.choices[i]};
+    for (std::uint64_t& k : column.ks) k >>= s.low_bits;
+    for (const Stray& stray : column.strays) known[stray.index] = {};
+  }
+  header.axis.palette = choose_palette(column.ks, header.axis.top);
+  if (!header.axis.palette.empty())
+    out.palette = encode_stream(
+        [&](auto& coder) { code_palette(coder, header.axis.palette, header.axis.top); });
+  if (has_refinements(s)) {
+    std::optional<std::vector<Refinement>> of_palette;
+    if (!header.axis.palette.empty())
+      of_palette = refinements_of(header.axis.palette, column.ks, known);
+    header.refined_palette = of_palette.has_value();
+    if (of_palette)
+      choose_refinements(out, map, header.axis.palette, *of_palette, level);
+    else
+      choose_refinements(out, map, column.ks, known, level);
+  }
+  if (!column.strays.empty()) {
+    header.has_strays = true;
+    out.strays.numbers = {column.strays.size()};
+    out.strays.bytes = encode_stream([&](auto& coder) {
+      StrayCoder<WordOf<T>> strays;
+      for (const Stray& stray : column.strays) {
+        std::uint64_t index = stray.index;
+        auto word = static_cast<WordOf<T>>(stray.word);
+        strays.code(coder, index, word);
+      }
+    });
+  }
+  out.ks = std::move(column.ks);
+  return out;
+}
+
+template <class Int>
+void set_rows(const std::vector<EncodedColumn>& columns, std::vector<Int>& rows) {
+  const std::size_t count = columns.front().ks.size(), components = columns.size();
+  rows.resize(count * components);
+  for (std::size_t c = 0; c < components; ++c)
+    for (std::size_t i = 0; i < count; ++i)
+      rows[i * components + c] = static_cast<Int>(columns[c].ks[i]);
+}
+
+}  // namespace
+
+NumberedValues put_into_systems(std::span<const std::byte> values, Scalar scalar,
+                                std::vector<NumberSystem> systems, int level) {
+  const DoublePrecision doubles;
+  const std::size_t components = systems.size();
+  std::vector<EncodedColumn> columns;
+  for (std::size_t c = 0; c < components; ++c) {
+    const ComponentView view = {values, scalar, components, c};
+    columns.push_back(with_type(scalar, [&](auto type) {
+      using T = decltype(type);
+      return with_map<T>(systems[c], [&](const auto& map) {
+        return encode_column<T>(place_column<T>(view, systems[c], map), map, level);
+      });
+    }));
+  }
+  NumberedValues out;
+  out.numbers.scalar = scalar;
+  for (const EncodedColumn& column : columns) {
+    out.numbers.systems.push_back(column.header.system);
+    out.numbers.axes.push_back(column.header.axis);
+  }
+  set_scales(out.numbers);
+  for (std::size_t c = 0; c < components; ++c) {
+    columns[c].header.axis.scale = out.numbers.axes[c].scale;
+    columns[c].put(out.bytes);
+  }
+  out.numbers.narrow() ? set_rows(columns, out.narrow) : set_rows(columns, out.wide);
+  return out;
+}
+
+NumberedValues number_values(std::span<const std::byte> values, Scalar scalar,
+                             std::size_t components, int level) {
+  const DoublePrecision doubles;
+  std::vector<NumberSystem> systems;
+  for (std::size_t c = 0; c < components; ++c)
+    systems.push_back(find_system({values, scalar, components, c}));
+  return put_into_systems(values, scalar, std::move(systems), level);
+}
+
+void put_plain_numbers(Bytes& out, const Numbers& numbers) {
+  for (std::size_t c = 0; c < numbers.systems.size(); ++c) {
+    EncodedColumn column;
+    column.header.system = numbers.systems[c];
+    column.header.axis = numbers.axes[c];
+    if (!column.header.axis.palette.empty())
+      column.palette = encode_stream([&](auto& coder) {
+        code_palette(coder, column.header.axis.palette, column.header.axis.top);
+      });
+    column.put(out);
+  }
+}
+
+}  // namespace clers::internal

@@ -1,0 +1,41 @@
+// Values -> number systems that have them, integers, and what the integers leave open.
+#ifndef CLERS_CODEC_ATTRIBUTES_NUMBER_ENCODER_H
+#define CLERS_CODEC_ATTRIBUTES_NUMBER_ENCODER_H
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "codec/attributes/number_system.h"
+#include "codec/entropy/bytes.h"
+
+namespace clers::internal {
+
+/// Values as integers, and all that gives the values back.
+struct NumberedValues {
+  Numbers numbers;
+  std::vector<std::int32_t> narrow;  ///< the rows, if numbers.narrow()
+  std::vector<std::int64_t> wide;    ///< the rows, if not
+  Bytes bytes;                       ///< what NumberReader::read reads
+};
+
+/// Finds the system of each component that is likely to cost least, and puts the values into it.
+/// `values` are packed and in native order, `components` >= 1 a value, in the order in which they
+/// will be coded: neighbours in it should be near each other. Exact for any bits of any type.
+/// Cost: linear.
+NumberedValues number_values(std::span<const std::byte> values, Scalar scalar,
+                             std::size_t components, int level);
+
+/// Puts values into given systems, those that do not fit as strays. Sets the axes' tops, their
+/// scales, and a palette if it pays. Cost: linear.
+NumberedValues put_into_systems(std::span<const std::byte> values, Scalar scalar,
+                                std::vector<NumberSystem> systems, int level);
+
+/// Appends the bytes of systems without refinements and strays: what the caller made integers of.
+/// Preconditions: as NumberReader::read checks them.
+void put_plain_numbers(Bytes& out, const Numbers& numbers);
+
+}  // namespace clers::internal
+
+#endif

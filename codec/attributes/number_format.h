@@ -1,0 +1,216 @@
+// What stands before the integers of values: the system of each component <-> bytes.
+#ifndef CLERS_CODEC_ATTRIBUTES_NUMBER_FORMAT_H
+#define CLERS_CODEC_ATTRIBUTES_NUMBER_FORMAT_H
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "codec/attributes/floating_maps.h"
+#include "codec/attributes/number_system.h"
+#include "codec/entropy/bytes.h"
+#include "codec/error.h"
+
+namespace clers::internal {
+
+/// How the refinements of a component are coded.
+enum class RefinementCoding : std::uint8_t {
+  bits = 0,       ///< as plain bits
+  adaptive = 1,   ///< few choices by adaptive models
+  repeating = 2,  ///< and first of all, whether it is that of the last value with this integer
+};
+
+/// What there is of a component besides its system.
+struct NumberColumn {
+  NumberSystem system;
+  Axis axis;
+  RefinementCoding coding = RefinementCoding::bits;
+  /// Refinements are those of the palette's entries, not of each value.
+  bool refined_palette = false;
+  bool has_strays = false;
+};
+
+/// Whether integers of a system leave anything open.
+inline bool has_refinements(const NumberSystem& s) {
+  return s.low_bits > 0 || s.ulps > 0 || s.signed_zero || s.map == NumberMap::digits ||
+         s.map == NumberMap::binary;
+}
+
+/// N of an integer and its low bits.
+inline std::int64_t integer_of(const NumberSystem& s, std::uint64_t k, std::uint64_t low) {
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(s.first) +
+                                   s.step * (k << s.low_bits | low));
+}
+
+/// The greatest |N| that a map takes. Precondition: the other fields are checked.
+template <class T>
+std::int64_t most_integer(const NumberSystem& s) {
+  using Limits = std::numeric_limits<T>;
+  if (s.map == NumberMap::affine && std::is_floating_point_v<T>) {
+    const double room = double(Limits::max()) / 2 - std::fabs(s.origin);
+    return room > 0 ? std::max<std::int64_t>(nearest_integer(room / s.length) - 1, 0) : 0;
+  }
+  if (s.map == NumberMap::binary) {
+    const int bits = std::min(Limits::digits, Limits::max_exponent - s.exponent);
+    return (std::int64_t(1) << bits) - 1;
+  }
+  if (s.map == NumberMap::printed) return PrintedMap<T>::most_integer(s);
+  return most_exact;
+}
+
+/// What is wrong with a column, "" if nothing is: then no integer in 0 .. top and no choice of its
+/// refinement leads out of what its map takes.
+template <class T>
+std::string fault_of(const NumberColumn& column) {
+  using Limits = std::numeric_limits<T>;
+  const NumberSystem& s = column.system;
+  const std::uint64_t top = column.axis.top;
+  const bool is_float = std::is_floating_point_v<T>;
+  if (top > most_wide) return "a greatest integer of " + std::to_string(top);
+  if (column.axis.scale == 0 || column.axis.scale > 65535)
+    return "a scale of " + std::to_string(column.axis.scale);
+  if (s.step == 0) return "steps of 0";
+  if (s.low_bits > 63 || static_cast<unsigned>(std::bit_width(top)) + s.low_bits > 64)
+    return std::to_string(s.low_bits) + " low bits";
+  if (s.map == NumberMap::word)
+    return s.ulps > 0 || s.signed_zero ? "words with refinements of their own" : "";
+  if (!is_float && s.map != NumberMap::affine) return "a number system that is not for integers";
+  if ((s.signed_zero && (s.ulps > 0 || !is_float)) || (s.ulps > 0 && !is_float))
+    return "refinements that numbers of this type do not have";
+  switch (s.map) {
+    case NumberMap::quotient:
+    case NumberMap::printed:
+      if (s.divisor == 0 || s.divisor > std::uint64_t(most_exact))
+        return "a divisor of " + std::to_string(s.divisor);
+      if (s.map == NumberMap::printed &&
+          (s.precision > (s.decimals ? PrintedMap<T>::most_decimals : PrintedMap<T>::most_digits) ||
+           (s.precision == 0 && !s.decimals)))
+        return std::to_string(s.precision) + " printed digits";
+      break;
+    case NumberMap::affine: {
+      // No intermediate result is so small that it is rounded in another place than others are.
+      const double least = 0x1p-900, most = 0x1p900;
+      if (!(s.length >= least && s.length <= most)) return "steps of no length";
+      if (!(std::fabs(s.origin) <= most) || (s.origin != 0 && std::fabs(s.origin) < least))
+        return "an origin out of range";
+      break;
+    }
+    case NumberMap::digits:
+      if (s.precision == 0 || s.precision > DigitsMap<T>::most_digits)
+        return std::to_string(s.precision) + " digits";
+      if (std::abs(int(s.exponent)) > int(most_tens))
+        return "a decimal exponent of " + std::to_string(s.exponent);
+      break;
+    default:
+      if (s.precision == 0 || s.precision > Limits::digits)
+        return std::to_string(s.precision) + " bits";
+      if (s.exponent < BinaryMap<T>::least_exponent || s.exponent >= Limits::max_exponent)
+        return "an exponent of " + std::to_string(s.exponent);
+  }
+  if ((s.map == NumberMap::digits || s.map == NumberMap::binary) && (s.ulps > 0 || s.signed_zero))
+    return "digits with other refinements besides";
+  const std::uint64_t last = top << s.low_bits | ((std::uint64_t(1) << s.low_bits) - 1);
+  const std::uint64_t span = 2 * std::uint64_t(most_exact);
+  const std::int64_t most = most_integer<T>(s);
+  if (last > span / s.step || s.first < -most ||
+      s.first > most - static_cast<std::int64_t>(last * s.step))
+    return "integers beyond what numbers of this type have";
+  return "";
+}
+
+inline void put_double(Bytes& out, double v) {
+  const auto bits = std::bit_cast<std::uint64_t>(v);
+  put_u32(out, static_cast<std::uint32_t>(bits));
+  put_u32(out, static_cast<std::uint32_t>(bits >> 32));
+}
+inline double read_double(ByteReader& in) {
+  const std::uint64_t low = in.u32();
+  return std::bit_cast<double>(low | std::uint64_t(in.u32()) << 32);
+}
+
+namespace column_flags {
+inline constexpr std::uint32_t signed_zero = 1, decimals = 2, low_bits = 4, ulps = 8, strays = 16,
+                               palette = 32, refined_palette = 64, all = 127;
+}
+
+/// Appends all of a column but the entries of the palette, how many they are included.
+inline void put_column(Bytes& out, const NumberColumn& column) {
+  const NumberSystem& s = column.system;
+  put_u8(out, static_cast<std::uint32_t>(s.map) | static_cast<std::uint32_t>(column.coding) << 4);
+  using namespace column_flags;
+  put_u8(out, (s.signed_zero ? signed_zero : 0) | (s.decimals ? decimals : 0) |
+                  (s.low_bits > 0 ? low_bits : 0) | (s.ulps > 0 ? ulps : 0) |
+                  (column.has_strays ? strays : 0) | (column.axis.palette.empty() ? 0 : palette) |
+                  (column.refined_palette ? refined_palette : 0));
+  put_varint(out, column.axis.top);
+  put_varint(out, column.axis.scale);
+  put_signed_varint(out, s.first);
+  put_varint(out, s.step);
+  if (s.low_bits > 0) put_u8(out, s.low_bits);
+  if (s.ulps > 0) put_u8(out, s.ulps);
+  if (s.map == NumberMap::quotient || s.map == NumberMap::printed) put_varint(out, s.divisor);
+  if (s.map == NumberMap::affine) {
+    put_double(out, s.origin);
+    put_double(out, s.length);
+  }
+  if (s.map >= NumberMap::digits) put_u8(out, s.precision);
+  if (s.map == NumberMap::digits || s.map == NumberMap::binary) put_signed_varint(out, s.exponent);
+  if (!column.axis.palette.empty()) put_varint(out, column.axis.palette.size());
+}
+
+/// Reads what put_column wrote. The palette has its size, and zeros. Errors: truncated, invalid.
+inline Expected<NumberColumn> read_column(ByteReader& in, Scalar scalar, std::uint64_t count) {
+  const std::uint64_t at = in.offset();
+  NumberColumn column;
+  NumberSystem& s = column.system;
+  const std::uint32_t kind = in.u8(), flags = in.u8();
+  const auto flag = [&](std::uint32_t f) { return (flags & f) != 0; };
+  using namespace column_flags;
+  s.map = static_cast<NumberMap>(kind & 15);
+  column.coding = static_cast<RefinementCoding>(kind >> 4 & 3);
+  s.signed_zero = flag(signed_zero);
+  s.decimals = flag(decimals);
+  column.has_strays = flag(strays);
+  column.refined_palette = flag(refined_palette);
+  column.axis.top = in.varint();
+  const std::uint64_t scale = in.varint();
+  s.first = in.signed_varint();
+  s.step = in.varint();
+  if (flag(low_bits)) s.low_bits = static_cast<std::uint8_t>(in.u8());
+  if (flag(ulps)) s.ulps = static_cast<std::uint8_t>(in.u8());
+  if (s.map == NumberMap::quotient || s.map == NumberMap::printed) s.divisor = in.varint();
+  if (s.map == NumberMap::affine) {
+    s.origin = read_double(in);
+    s.length = read_double(in);
+  }
+  if (s.map >= NumberMap::digits) s.precision = static_cast<std::uint8_t>(in.u8());
+  std::int64_t exponent = 0;
+  if (s.map == NumberMap::digits || s.map == NumberMap::binary) exponent = in.signed_varint();
+  const std::uint64_t entries = flag(palette) ? in.varint() : 0;
+  if (!in.ok()) return Failure{in.error()};
+  const auto invalid = [&](const std::string& what) {
+    return fail(ErrorCode::invalid, Place::byte, at, "a component with " + what);
+  };
+  if ((kind & 15) >= number_map_count || kind >> 4 > 2)
+    return invalid("number system " + std::to_string(kind));
+  if (flags > all || (s.decimals && s.map != NumberMap::printed) ||
+      (flag(low_bits) && s.low_bits == 0) || (flag(ulps) && s.ulps == 0) ||
+      (flag(refined_palette) && !flag(palette)))
+    return invalid("flags " + std::to_string(flags));
+  if (exponent < -2000 || exponent > 2000) return invalid("an exponent out of range");
+  s.exponent = static_cast<std::int16_t>(exponent);
+  column.axis.scale = static_cast<std::uint32_t>(std::min<std::uint64_t>(scale, 65536));
+  if (std::string fault = with_type(scalar, [&](auto t) { return fault_of<decltype(t)>(column); });
+      !fault.empty())
+    return invalid(fault);
+  if (flag(palette) && (entries == 0 || entries > count / 2 || entries > column.axis.top))
+    return invalid("a palette of " + std::to_string(entries));
+  column.axis.palette.resize(static_cast<std::size_t>(entries));
+  return column;
+}
+
+}  // namespace clers::internal
+
+#endif

@@ -1,0 +1,341 @@
+// Bounds, then a grid, then the nearest point of it for each number.
+#include "codec/attributes/quantise.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "codec/attributes/number_maps.h"
+#include "codec/base/difference.h"
+
+namespace clers::internal {
+namespace {
+
+using Kind = Precision::Kind;
+
+/// So far from its origin a number may be: there doubles still tell all points of a grid apart.
+constexpr double most_steps = double(std::int64_t(1) << 50);
+
+/// origin + k * step, of one component.
+struct Grid {
+  double origin = 0, step = 0;
+};
+
+/// The numbers of a component, in the order of the values.
+template <class T>
+std::vector<T> numbers_of(const AttributeView& a, std::size_t count, std::size_t component) {
+  std::vector<T> numbers(count);
+  for (std::size_t i = 0; i < count; ++i)
+    std::memcpy(&numbers[i], a.value(i) + component * sizeof(T), sizeof(T));
+  return numbers;
+}
+
+template <class T>
+struct Bounds {
+  T least = 0, greatest = 0;
+
+  double range() const { return difference(least, greatest); }
+  double largest() const {
+    return std::max(std::fabs(static_cast<double>(least)),
+                    std::fabs(static_cast<double>(greatest)));
+  }
+};
+
+/// Precondition: there are numbers, and all are finite.
+template <class T>
+Bounds<T> bounds_of(const std::vector<T>& numbers) {
+  Bounds<T> bounds{numbers.front(), numbers.front()};
+  for (const T x : numbers) {
+    bounds.least = std::min(bounds.least, x);
+    bounds.greatest = std::max(bounds.greatest, x);
+  }
+  return bounds;
+}
+
+Failure<Error> not_on_grid(const AttributeView& a, std::size_t i, const char* what) {
+  const Place place = a.domain == Domain::vertex   ? Place::vertex
+                      : a.domain == Domain::corner ? Place::corner
+                                                   : Place::face;
+  return fail(ErrorCode::not_on_grid, place, i, "'" + std::string(a.name) + "' " + what);
+}
+
+/// Refuses the first value that is not finite.
+template <class T>
+Expected<Done> check_finite(const AttributeView& a, const std::vector<std::vector<T>>& numbers) {
+  if constexpr (std::is_floating_point_v<T>) {
+    std::size_t first = numbers[0].size();
+    for (const std::vector<T>& component : numbers)
+      for (std::size_t i = 0; i < first; ++i)
+        if (!std::isfinite(component[i])) first = i;
+    if (first == numbers[0].size()) return Done{};
+    const bool nan = std::any_of(numbers.begin(), numbers.end(), [&](const auto& component) {
+      return std::isnan(component[first]);
+    });
+    return not_on_grid(
+        a, first,
+        nan ? "is NaN, which cannot be quantised" : "is infinite, which cannot be quantised");
+  }
+  return Done{};
+}
+
+/// The system whose numbers are those of a grid.
+NumberSystem system_of(const Grid& grid, Scalar scalar, double largest) {
+  NumberSystem system;
+  system.map = NumberMap::affine;
+  system.origin = grid.origin;
+  system.length = grid.step;
+  if (!is_float(scalar) || grid.origin != 0) return system;
+  // Steps of a fraction with small terms, as 3 / 100: rounded once only, so that decimals come out.
+  const auto fraction = [&](double divisor) {
+    const double step = as_stored(grid.step * divisor);
+    return step == std::floor(step) && step >= 1 && step <= 1e6 &&
+           as_stored(step / divisor) == grid.step && largest * divisor < 0.5 * double(most_exact);
+  };
+  for (const double divisor : {1., 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12,
+                               std::round(1 / std::min(1., grid.step))}) {
+    if (!(divisor < double(most_exact)) || !fraction(divisor)) continue;
+    NumberSystem quotient;
+    quotient.map = NumberMap::quotient;
+    quotient.divisor = static_cast<std::uint64_t>(divisor);
+    quotient.step = static_cast<std::uint64_t>(as_stored(grid.step * divisor));
+    return quotient;
+  }
+  return system;
+}
+
+/// Calls use with a function that gives point k of a grid.
+template <class T, class Use>
+auto with_points(const NumberSystem& system, Use use) {
+  const auto step = static_cast<std::int64_t>(system.step);
+  const auto points = [step](const auto& map) {
+    return [step, &map](std::int64_t k) { return std::bit_cast<T>(map.word(k * step, 0)); };
+  };
+  if constexpr (std::is_floating_point_v<T>)
+    if (system.map == NumberMap::quotient) {
+      const QuotientMap<T> map(system);
+      return use(points(map));
+    }
+  const AffineMap<T> map(system);
+  return use(points(map));
+}
+
+/// The point of a grid that is nearest to a number, the lower of two. `k` is near it.
+template <class T, class Points>
+std::int64_t nearest_point(T x, std::int64_t k, double step, const Points& point, double& error) {
+  error = difference(x, point(k));
+  if (error <= 0.49 * step) return k;
+  for (const std::int64_t way : {-1, 1})
+    for (;;) {
+      const double other = difference(x, point(k + way));
+      if (!(other < error || (way < 0 && other == error && point(k + way) < point(k)))) break;
+      k += way;
+      error = other;
+    }
+  return k;
+}
+
+template <class T>
+struct Moved {
+  std::vector<T> numbers;
+  double error = 0;                         ///< the largest difference
+  std::optional<std::size_t> too_far = {};  ///< the first number that is too far away
+};
+
+/// Moves the numbers of a component to a grid.
+template <class T>
+Moved<T> move_to(const std::vector<T>& numbers, const Grid& grid, bool keep_zeros,
+                 const NumberSystem& system) {
+  Moved<T> moved;
+  moved.numbers.resize(numbers.size());
+  with_points<T>(system, [&](const auto& point) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const T x = numbers[i];
+      const double k = as_stored(as_stored(static_cast<double>(x) - grid.origin) / grid.step);
+      if (!(std::fabs(k) < most_steps)) {
+        moved.too_far = i;
+        return;
+      }
+      double error = 0;
+      const std::int64_t n = nearest_point(x, nearest_integer(k), grid.step, point, error);
+      const T y = point(n);
+      moved.numbers[i] = keep_zeros && x == y ? x : y;
+      moved.error = std::max(moved.error, error);
+    }
+  });
+  return moved;
+}
+
+/// What is left of the range without the `few` least and the `few` greatest numbers.
+template <class T>
+Bounds<T> bounds_without(std::vector<T> numbers, std::size_t few) {
+  const auto low = numbers.begin() + static_cast<std::ptrdiff_t>(few),
+             high = numbers.end() - 1 - static_cast<std::ptrdiff_t>(few);
+  std::nth_element(numbers.begin(), low, numbers.end());
+  const T least = *low;
+  std::nth_element(low, high, numbers.end());
+  return {least, *high};
+}
+
+/// A thousandth of the values, or one, that make the longest side four times as long, or more.
+template <class T>
+std::optional<Outliers> outliers_of(const std::vector<std::vector<T>>& numbers, double longest,
+                                    int bits) {
+  const std::size_t count = numbers[0].size(), few = std::max<std::size_t>(1, count / 1000);
+  if (count < 16 || longest == 0) return std::nullopt;
+  std::vector<Bounds<T>> without;
+  double side = 0;
+  for (const std::vector<T>& component : numbers) {
+    without.push_back(bounds_without(component, few));
+    side = std::max(side, without.back().range());
+  }
+  if (longest < 4 * side) return std::nullopt;
+  Outliers found;
+  double farthest = 0;
+  for (std::size_t c = 0; c < numbers.size(); ++c)
+    for (std::size_t i = 0; i < count; ++i) {
+      const T x = numbers[c][i];
+      const double beyond = x < without[c].least      ? difference(x, without[c].least)
+                            : x > without[c].greatest ? difference(x, without[c].greatest)
+                                                      : 0;
+      if (beyond <= farthest) continue;
+      farthest = beyond;
+      found.farthest = i;
+    }
+  found.bits = bits;
+  for (double saved = longest; found.bits > 0 && saved >= 2 * side; saved /= 2) --found.bits;
+  return found;
+}
+
+template <class T>
+class Quantiser {
+ public:
+  Quantiser(const AttributeView& a, const Precision& precision)
+      : a_(a),
+        precision_(precision),
+        count_(a.data.empty() ? 0 : 1 + (a.data.size() - a.value_size()) / a.step()) {
+    for (std::size_t c = 0; c < a.components; ++c) numbers_.push_back(numbers_of<T>(a, count_, c));
+  }
+
+  Expected<QuantisedValues> run() {
+    if (count_ == 0) return QuantisedValues{};
+    if (auto ok = check_finite(a_, numbers_); !ok) return Failure{ok.error()};
+    for (const std::vector<T>& component : numbers_) {
+      bounds_.push_back(bounds_of(component));
+      longest_ = std::max(longest_, bounds_.back().range());
+      largest_ = std::max(largest_, bounds_.back().largest());
+    }
+    if (precision_.kind == Kind::error) return within(precision_.size);
+    if (precision_.kind == Kind::bits && std::isinf(longest_))
+      return fail(ErrorCode::not_on_grid,
+                  "'" + std::string(a_.name) + "' has numbers too far apart for a grid of bits");
+    std::vector<Grid> grids;
+    for (std::size_t c = 0; c < numbers_.size(); ++c) grids.push_back(grid_of(c));
+    auto quantised = move_all(grids, precision_.kind != Kind::bits);
+    if (quantised && precision_.kind == Kind::bits)
+      quantised->outliers = outliers_of(numbers_, longest_, precision_.bits);
+    return quantised;
+  }
+
+ private:
+  Grid grid_of(std::size_t c) const {
+    if (precision_.kind == Kind::step) return {0, precision_.size};
+    if (precision_.kind == Kind::grid)
+      return {precision_.origin.size() == 1 ? precision_.origin[0] : precision_.origin[c],
+              precision_.size};
+    const double steps = static_cast<double>((std::uint64_t(1) << precision_.bits) - 1);
+    const double step =
+        std::max(as_stored(longest_ / steps), std::numeric_limits<double>::denorm_min());
+    return {static_cast<double>(bounds_[c].least), longest_ == 0 ? 1 : step};
+  }
+
+  /// No component off by more than `error`: steps of twice that, or a little less where the type
+  /// rounds points of that grid too far away; or nothing is moved.
+  Expected<QuantisedValues> within(double error) {
+    if (!std::is_floating_point_v<T>) error = std::floor(error);
+    const double step = std::is_floating_point_v<T> ? 2 * error : 2 * error + 1;
+    const double unit = [&] {
+      if constexpr (std::is_floating_point_v<T>) {
+        const T top = static_cast<T>(largest_);
+        return static_cast<double>(std::nextafter(top, std::numeric_limits<T>::max())) -
+               static_cast<double>(top);
+      }
+      return 0.;
+    }();
+    for (const double size : {step, as_stored(step - 2 * unit)}) {
+      if (!(size > 0) || std::isinf(size)) break;
+      auto quantised = move_all(std::vector<Grid>(numbers_.size(), Grid{0, size}), false);
+      if (quantised && quantised->plan.error <= error) return quantised;
+    }
+    return QuantisedValues{};
+  }
+
+  Expected<QuantisedValues> move_all(const std::vector<Grid>& grids, bool keep_zeros) {
+    QuantisedValues all;
+    if (!std::is_floating_point_v<T> && grids[0].step <= 1) return all;
+    std::vector<std::vector<T>> moved;
+    for (std::size_t c = 0; c < numbers_.size(); ++c) {
+      const NumberSystem system = system_of(grids[c], a_.scalar, bounds_[c].largest());
+      Moved<T> component = move_to(numbers_[c], grids[c], keep_zeros, system);
+      if (component.too_far)
+        return not_on_grid(a_, *component.too_far, "is too many steps away from the origin");
+      all.plan.error = std::max(all.plan.error, component.error);
+      all.plan.systems.push_back(system);
+      moved.push_back(std::move(component.numbers));
+    }
+    if (all.plan.error == 0) return QuantisedValues{};
+    all.values.resize(count_ * a_.value_size());
+    for (std::size_t c = 0; c < moved.size(); ++c)
+      for (std::size_t i = 0; i < count_; ++i)
+        std::memcpy(all.values.data() + (i * moved.size() + c) * sizeof(T), &moved[c][i],
+                    sizeof(T));
+    return all;
+  }
+
+  const AttributeView& a_;
+  const Precision& precision_;
+  const std::size_t count_;
+  std::vector<std::vector<T>> numbers_;  // of each component
+  std::vector<Bounds<T>> bounds_;
+  double longest_ = 0, largest_ = 0;
+};
+
+}  // namespace
+
+std::string precision_fault(const Precision& precision) {
+  switch (precision.kind) {
+    case Kind::lossless: return "";
+    case Kind::bits:
+      if (precision.bits >= min_bits && precision.bits <= max_bits) return "";
+      return std::to_string(precision.bits) + " bits, expected " + std::to_string(min_bits) +
+             " to " + std::to_string(max_bits);
+    case Kind::grid:
+      for (const double origin : precision.origin)
+        if (!std::isfinite(origin)) return "an origin that is not finite";
+      [[fallthrough]];
+    case Kind::step:
+    case Kind::error:
+      if (precision.size > 0 && std::isfinite(precision.size)) return "";
+      return precision.kind == Kind::error ? "an error that is not a positive number"
+                                           : "steps that are not a positive number";
+  }
+  return "no such precision";
+}
+
+Expected<QuantisedValues> quantise(const AttributeView& attribute, const Precision& precision) {
+  if (precision.kind == Kind::lossless) return QuantisedValues{};
+  const std::size_t origins = precision.origin.size();
+  if (precision.kind == Kind::grid && origins != 1 && origins != attribute.components)
+    return fail(ErrorCode::bad_option, "a grid of " + std::to_string(origins) +
+                                           " components for '" + std::string(attribute.name) +
+                                           "', which has " + std::to_string(attribute.components));
+  return with_type(attribute.scalar, [&](auto type) {
+    return Quantiser<decltype(type)>(attribute, precision).run();
+  });
+}
+
+}  // namespace clers::internal

@@ -1,0 +1,52 @@
+// Values moved to the points of a grid: no more than half a step, and what their type rounds.
+//
+// A grid is found for all values of a mesh at once, so that its pieces share it. What comes out is
+// values again, which a number system has exactly: whoever codes them loses nothing more.
+#ifndef CLERS_CODEC_ATTRIBUTES_QUANTISE_H
+#define CLERS_CODEC_ATTRIBUTES_QUANTISE_H
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "codec/attributes/attribute_encoder.h"
+#include "codec/error.h"
+#include "codec/mesh_view.h"
+#include "codec/precision.h"
+
+namespace clers::internal {
+
+/// A few values that make the grid of all others coarse.
+struct Outliers {
+  std::uint64_t farthest = 0;  ///< which value
+  int bits = 0;                ///< that are as good without them
+};
+
+struct QuantisedValues {
+  /// Has no systems, and no error, where all values stay as they are, bit for bit.
+  AttributePlan plan;
+  std::vector<std::byte> values;  ///< as they are decoded, packed, if there is an error
+  std::optional<Outliers> outliers = {};
+};
+
+/// What is wrong with a precision, whatever it is for; empty: nothing.
+std::string precision_fault(const Precision& precision);
+
+/// Quantises the values of an attribute. Each component becomes the nearest of the numbers that its
+/// grid has, the lower of two; so it is off by half a step at most, and by what the map of the
+/// number system and the type round: less than half a unit in the last place of the type, and two
+/// of a double as large as the largest number. With Precision::Kind::error it is never off by more
+/// than was asked. Zeros that stay zeros keep their sign on grids that do not depend on the values.
+///
+/// Of a component that is on a coarser grid already that one is taken, and nothing is moved, unless
+/// the grid is the caller's.
+///
+/// Errors: bad_option (another number of origins), not_on_grid. Precondition: no precision_fault.
+/// Cost: linear, and a copy of the values.
+Expected<QuantisedValues> quantise(const AttributeView& attribute, const Precision& precision);
+
+}  // namespace clers::internal
+
+#endif

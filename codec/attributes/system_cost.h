@@ -1,0 +1,82 @@
+// About how many bits numbers take in a system: to choose among systems.
+#ifndef CLERS_CODEC_ATTRIBUTES_SYSTEM_COST_H
+#define CLERS_CODEC_ATTRIBUTES_SYSTEM_COST_H
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "codec/attributes/place_numbers.h"
+
+namespace clers::internal {
+
+/// Of 1/256 bit each.
+using Cost = std::uint64_t;
+
+/// log2(n), with a linear mantissa: the same on every machine, and near enough. n >= 1.
+inline Cost log2_of(std::uint64_t n) {
+  const auto exponent = static_cast<unsigned>(std::bit_width(n)) - 1;
+  const std::uint64_t mantissa = exponent >= 8 ? n >> (exponent - 8) : n << (8 - exponent);
+  return Cost(exponent) * 256 + (mantissa - 256);
+}
+
+/// What symbols cost that occur so often.
+inline Cost entropy_of(std::span<const std::uint64_t> counts) {
+  std::uint64_t total = 0;
+  for (const std::uint64_t n : counts) total += n;
+  Cost cost = 0;
+  for (const std::uint64_t n : counts)
+    if (n > 0) cost += n * (log2_of(total) - log2_of(n));
+  return cost;
+}
+
+/// The words of numbers, in runs of neighbours.
+template <class U>
+struct NumberSample {
+  std::vector<U> words;
+  std::size_t run;  ///< so many are neighbours
+};
+
+/// What a sample costs: K by its difference to that of the number before, and what else there is.
+template <class T>
+Cost cost_of(const NumberSystem& s, const NumberSample<WordOf<T>>& sample) {
+  constexpr Cost of_stray = 256 * (8 * sizeof(T) + 12);
+  return with_map<T>(s, [&](const auto& map) {
+    using Map = std::decay_t<decltype(map)>;
+    const Placing<T, Map> placing(s, map);
+    std::array<std::uint64_t, 66> lengths = {};
+    std::array<std::uint64_t, 514> choices = {};
+    Cost cost = 0;
+    std::uint64_t before = 0;
+    for (std::size_t i = 0; i < sample.words.size(); ++i) {
+      const PlacedNumber p = placing.place(sample.words[i]);
+      if (!p.exact) {
+        cost += of_stray;
+        continue;
+      }
+      const auto k = static_cast<std::uint64_t>(p.k);
+      if (i % sample.run == 0) before = k;
+      const auto length = static_cast<unsigned>(std::bit_width(zigzag(k - before)));
+      before = k;
+      ++lengths[length];
+      cost += length > 1 ? 256 * Cost(length - 1) : 0;
+      if (!has_refinements(s)) continue;
+      if constexpr (Map::has_choices) {
+        const Choices all = map.choices(integer_of(s, k, 0));
+        if (all.wide) ++choices[p.choice == 0];
+        if (!all.wide || p.choice != 0) cost += log2_of(all.count);
+      } else if (choices_of(s, map, integer_of(s, k, 0)).count > 1) {
+        ++choices[p.choice];
+      }
+    }
+    return cost + entropy_of(lengths) + entropy_of(choices);
+  });
+}
+
+}  // namespace clers::internal
+
+#endif

@@ -1,0 +1,111 @@
+// The order of visit by parallelograms: vertices that two predict, before those that one does. It
+// knows the surface, but no values.
+#ifndef CLERS_CODEC_ATTRIBUTES_VISIT_ORDER_H
+#define CLERS_CODEC_ATTRIBUTES_VISIT_ORDER_H
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "codec/attributes/parallelograms.h"
+#include "codec/connectivity/coded_surface.h"
+#include "topology/ids.h"
+
+namespace clers::internal {
+
+/// What is known in the order of visit.
+class Visited {
+ public:
+  explicit Visited(std::size_t vertices) : state_(vertices) {}
+
+  bool operator()(std::uint32_t v) const { return state_[v] == known; }
+  void visit(std::uint32_t v) { state_[v] = known; }
+
+  /// One more parallelogram ends at v, which is not visited. Returns how many there are, 1 or 2,
+  /// if it is the first or second; else 0.
+  unsigned another(std::uint32_t v) {
+    if (state_[v] == 2) return 0;
+    return ++state_[v];
+  }
+
+ private:
+  static constexpr std::uint8_t known = 3;
+  std::vector<std::uint8_t> state_;  ///< parallelograms that end there, two are many; or known
+};
+
+/// Calls visit(h, visited) for each vertex that a triangle has; h leaves it. visited(u) tells
+/// whether u was visited before.
+///
+/// A vertex x waits when all vertices of a triangle are visited and x is across from one of its
+/// sides, a-b: it has a parallelogram then, and h is the half-edge from x to a.
+///
+///          x
+///         / \           .
+///        a---b
+///         \ /
+///          c     the last of a, b, c is visited
+///
+/// First come those with two parallelograms, then those with one, in the order in which they began
+/// to wait for it (by the parallelogram that is their second, or first). With none waiting, the
+/// next one in the order of introduction is visited. Where a vertex has copies, it is visited once,
+/// and the triangles around the copy that h leaves are those whose vertices may become known by
+/// that.
+///
+/// Precondition: twins are there. Cost: linear; memory: visit_order_memory.
+template <class Visit>
+void for_each_by_parallelograms(const CodedSurface& surface, Visit visit) {
+  const std::size_t vertices = surface.introduced_by.size();
+  const auto at = [&](HalfEdge h) { return surface.corners[h.index()]; };
+  Visited visited(vertices);
+  // The queues: each vertex enters each once.
+  std::vector<HalfEdge> one(vertices), two(vertices);
+  std::size_t one_begin = 0, one_end = 0, two_begin = 0, two_end = 0;
+  // The vertex across half-edge h, if it is one more for h's triangle.
+  const auto look_across = [&](HalfEdge h) {
+    const HalfEdge across = surface.twins[h.index()];
+    if (!across) return;
+    const HalfEdge x = lprev(across);
+    if (visited(at(x))) return;
+    const unsigned n = visited.another(at(x));
+    if (n == 1) one[one_end++] = x;
+    if (n == 2) two[two_end++] = x;
+  };
+  const auto go_to = [&](HalfEdge first) {
+    visit(first, std::as_const(visited));
+    visited.visit(at(first));
+    for_each_around(surface, first, [&](HalfEdge h) {
+      if (!visited(at(lnext(h))) || !visited(at(lprev(h)))) return;
+      look_across(h);
+      look_across(lnext(h));
+      look_across(lprev(h));
+    });
+  };
+  const auto go_on = [&] {
+    for (;;) {
+      HalfEdge next;
+      if (two_begin < two_end)
+        next = two[two_begin++];
+      else if (one_begin < one_end)
+        next = one[one_begin++];
+      else
+        return;
+      if (!visited(at(next))) go_to(next);
+    }
+  };
+  for_each_introduced(surface, [&](std::uint32_t t, unsigned corner) {
+    const HalfEdge first = half_edge(Face(t), corner);
+    if (visited(at(first))) return;
+    go_to(first);
+    go_on();
+  });
+}
+
+/// What for_each_by_parallelograms allocates.
+inline std::uint64_t visit_order_memory(std::uint64_t vertices) {
+  return vertices * (1 + 2 * sizeof(HalfEdge));
+}
+
+}  // namespace clers::internal
+
+#endif

@@ -1,0 +1,409 @@
+// Numbers come back bit for bit from whatever system they are put into, and no bytes do harm.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "codec/attributes/number_decoder.h"
+#include "codec/attributes/number_encoder.h"
+#include "corpus/random.h"
+
+namespace clers::internal {
+namespace {
+
+using corpus::Random;
+
+unsigned long_runs() {
+  const char* n = std::getenv("CLERS_LONG");
+  return n ? static_cast<unsigned>(std::strtoul(n, nullptr, 10)) : 1;
+}
+
+template <class T>
+Bytes bytes_of(const std::vector<T>& numbers) {
+  Bytes bytes(numbers.size() * sizeof(T));
+  if (!bytes.empty()) std::memcpy(bytes.data(), numbers.data(), bytes.size());
+  return bytes;
+}
+
+Expected<Done> values_of(const NumberReader& reader, const NumberedValues& coded,
+                         std::span<std::byte> values) {
+  return coded.numbers.narrow() ? reader.to_values(std::span(coded.narrow), values)
+                                : reader.to_values(std::span(coded.wide), values);
+}
+
+template <class Int>
+void expect_in_range(const Numbers& numbers, const std::vector<Int>& rows) {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Axis& axis = numbers.axes[i % numbers.axes.size()];
+    ASSERT_GE(rows[i], 0);
+    ASSERT_LE(static_cast<std::uint64_t>(rows[i]), axis.top);
+    const auto k = static_cast<std::uint64_t>(rows[i]);
+    ASSERT_TRUE(axis.palette.empty() ||
+                std::binary_search(axis.palette.begin(), axis.palette.end(), k));
+  }
+}
+
+/// Decodes what was coded, and compares.
+void expect_back(const NumberedValues& coded, const Bytes& values, Scalar scalar,
+                 std::size_t components) {
+  const std::size_t count = values.size() / (components * size_of(scalar));
+  ByteReader in(coded.bytes, 0);
+  const auto reader = NumberReader::read(in, scalar, components, count);
+  ASSERT_TRUE(reader.ok()) << describe(reader.error());
+  EXPECT_EQ(in.left(), 0u);
+  EXPECT_EQ(reader->numbers().systems, coded.numbers.systems);
+  for (std::size_t c = 0; c < components; ++c) {
+    EXPECT_EQ(reader->numbers().axes[c].top, coded.numbers.axes[c].top);
+    EXPECT_EQ(reader->numbers().axes[c].scale, coded.numbers.axes[c].scale);
+    EXPECT_EQ(reader->numbers().axes[c].palette, coded.numbers.axes[c].palette);
+  }
+  EXPECT_EQ((coded.numbers.narrow() ? coded.narrow.size() : coded.wide.size()), components * count);
+  expect_in_range(coded.numbers, coded.narrow);
+  expect_in_range(coded.numbers, coded.wide);
+  Bytes back(values.size());
+  const auto done = values_of(*reader, coded, back);
+  ASSERT_TRUE(done.ok()) << describe(done.error());
+  ASSERT_EQ(back == values, true) << describe(coded.numbers, 0);
+}
+
+template <class T>
+NumberedValues round_trip(const std::vector<T>& numbers, std::size_t components = 1,
+                          int level = 5) {
+  const Bytes values = bytes_of(numbers);
+  NumberedValues coded = number_values(values, scalar_of<T>(), components, level);
+  expect_back(coded, values, scalar_of<T>(), components);
+  return coded;
+}
+
+template <class T>
+std::string system_of(const std::vector<T>& numbers) {
+  const NumberedValues coded = round_trip(numbers);
+  return coded.numbers.systems.empty() ? "" : describe(coded.numbers, 0);
+}
+
+template <class T>
+void random_numbers_survive() {
+  for (unsigned seed = 0; seed < 40 * long_runs(); ++seed) {
+    SCOPED_TRACE(std::string(name(scalar_of<T>())) + ", seed " + std::to_string(seed));
+    Random random(seed);
+    const std::size_t components = 1 + seed % 4;
+    std::vector<T> numbers(components * random.below(seed % 7 == 0 ? 3 : 300));
+    const unsigned kept = 1 + random.below(64);
+    for (T& x : numbers) {
+      const std::uint64_t bits = random.next() >> (64 - kept) << random.below(65 - kept);
+      const auto word = static_cast<WordOf<T>>(bits);
+      std::memcpy(&x, &word, sizeof x);
+    }
+    for (const int level : {1, 5}) round_trip(numbers, components, level);
+  }
+}
+
+TEST(Numbers, RandomOnesOfAllTypesSurvive) {
+  for (unsigned s = 0; s < scalar_count; ++s)
+    with_type(static_cast<Scalar>(s), [](auto type) { random_numbers_survive<decltype(type)>(); });
+}
+
+TEST(Numbers, FewSurvive) {
+  for (unsigned s = 0; s < scalar_count; ++s)
+    with_type(static_cast<Scalar>(s), [](auto type) {
+      using T = decltype(type);
+      for (const std::size_t components : {1u, 3u, 255u}) {
+        round_trip(std::vector<T>(), components);
+        round_trip(std::vector<T>(components), components);
+        round_trip(std::vector<T>(7 * components, T(42)), components);
+        round_trip(std::vector<T>(components, std::numeric_limits<T>::max()), components);
+        round_trip(std::vector<T>(components, std::numeric_limits<T>::lowest()), components);
+      }
+      round_trip(std::vector<T>{std::numeric_limits<T>::max(), std::numeric_limits<T>::lowest()});
+    });
+}
+
+/// The float with the bits of a half.
+float half(std::uint32_t bits) {
+  const std::uint32_t sign = (bits & 0x8000u) << 16, exponent = bits >> 10 & 31, m = bits & 1023;
+  if (exponent == 31) return std::bit_cast<float>(sign | 0x7f800000u | m << 13);
+  const float v = exponent == 0 ? std::ldexp(float(m), -24)
+                                : std::ldexp(float(1024 + m), static_cast<int>(exponent) - 25);
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(v) | sign);
+}
+
+TEST(Numbers, AllHalfFloatsSurvive) {
+  std::vector<float> halves;
+  for (std::uint32_t bits = 0; bits < 0x10000; ++bits) halves.push_back(half(bits));
+  round_trip(halves);
+  Random(1).shuffle(halves);
+  round_trip(halves);
+}
+
+TEST(Numbers, HalfFloatsHaveElevenBits) {
+  Random random(2);
+  std::vector<float> halves;
+  for (int i = 0; i < 3000; ++i) halves.push_back(half(0x3000 + random.below(0xc00)));
+  EXPECT_EQ(system_of(halves), "float, 11 bits");
+}
+
+/// Systems of every kind, for float32.
+std::vector<NumberSystem> some_systems() {
+  std::vector<NumberSystem> systems(1);
+  const auto add = [&](NumberMap map, const auto& change) {
+    NumberSystem s;
+    s.map = map;
+    change(s);
+    systems.push_back(s);
+  };
+  for (const std::uint64_t divisor : {1ull, 10ull, 1000000ull, 7846ull, 1ull << 20, 1ull << 53})
+    add(NumberMap::quotient, [&](NumberSystem& s) {
+      s.divisor = divisor;
+      s.step = 1 + divisor % 3;
+      s.ulps = divisor == 10 ? 3 : divisor == 1000000 ? 255 : 0;
+      s.signed_zero = divisor == 7846;
+    });
+  add(NumberMap::affine, [](NumberSystem& s) { s.origin = 5e5, s.length = .1; });
+  add(NumberMap::affine, [](NumberSystem& s) { s.length = 0x1p-140, s.ulps = 2; });
+  for (const int exponent : {-22, -6, 0, 3})
+    add(NumberMap::digits, [&](NumberSystem& s) {
+      s.precision = static_cast<std::uint8_t>(exponent == 0 ? 15 : 6);
+      s.exponent = static_cast<std::int16_t>(exponent);
+    });
+  for (const int exponent : {-149, -24, 0, 104})
+    add(NumberMap::binary, [&](NumberSystem& s) {
+      s.precision = static_cast<std::uint8_t>(exponent == 0 ? 11 : 24);
+      s.exponent = static_cast<std::int16_t>(exponent);
+    });
+  for (const bool decimals : {false, true})
+    add(NumberMap::printed, [&](NumberSystem& s) {
+      s.divisor = 7846;
+      s.precision = 6;
+      s.decimals = decimals;
+      s.signed_zero = true;
+    });
+  return systems;
+}
+
+TEST(Numbers, FloatsSurviveInAnySystem) {
+  const auto systems = some_systems();
+  // With CLERS_LONG=1000 10^8 numbers.
+  const unsigned rounds = std::max(1u, long_runs() / 10);
+  for (unsigned round = 0; round < rounds; ++round)
+    for (std::size_t i = 0; i < systems.size(); ++i) {
+      SCOPED_TRACE("system " + std::to_string(i) + ", round " + std::to_string(round));
+      Random random(1000 * round + i);
+      std::vector<float> numbers(long_runs() > 1 ? 60000 : 3000);
+      for (float& x : numbers) {
+        auto word = static_cast<std::uint32_t>(random.next());
+        // Most of them near where the system has numbers.
+        if (random.chance(70)) word = (word & 0x80ffffffu) | (0x3a + random.below(10)) << 24;
+        if (random.chance(30)) word = std::bit_cast<std::uint32_t>(std::floor(float(word >> 22)));
+        if (random.chance(5)) word &= 0x80000000u;
+        x = std::bit_cast<float>(word);
+      }
+      const Bytes values = bytes_of(numbers);
+      for (const int level : {1, 5})
+        expect_back(put_into_systems(values, Scalar::float32, {systems[i]}, level), values,
+                    Scalar::float32, 1);
+    }
+}
+
+TEST(Numbers, SpecialOnesAreStrays) {
+  std::vector<double> numbers;
+  for (int i = 0; i < 1000; ++i) numbers.push_back(i * .25);
+  using Limits = std::numeric_limits<double>;
+  for (const double x : {Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN(),
+                         std::bit_cast<double>(0x7ff0000000000001u), -0., Limits::denorm_min(),
+                         -Limits::min(), Limits::max()})
+    numbers.insert(numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 3), x);
+  const NumberedValues coded = round_trip(numbers);
+  EXPECT_EQ(describe(coded.numbers, 0), "steps of 0.25");
+  EXPECT_EQ(coded.numbers.axes[0].top, 999u);
+  EXPECT_EQ(system_of(std::vector<float>{0.f, -0.f}), "words");
+}
+
+TEST(Numbers, MinusZerosAreCheap) {
+  Random random(3);
+  std::vector<float> numbers;
+  for (int i = 0; i < 3000; ++i)
+    numbers.push_back(random.chance(30) ? random.chance(50) ? -0.f : 0.f
+                                        : float(double(random.below(20000)) / 1000));
+  const NumberedValues coded = round_trip(numbers);
+  EXPECT_EQ(describe(coded.numbers, 0), "3 decimals");
+  EXPECT_LT(coded.bytes.size(), 3000u * 30 / 100 / 8 + 60);
+}
+
+TEST(Numbers, DecimalsAreFound) {
+  Random random(4);
+  std::vector<float> floats;
+  std::vector<double> doubles, digits;
+  for (int i = 0; i < 3000; ++i) {
+    const double n = double(random.below(2000000)) - 1e6;
+    floats.push_back(float(n / 1e3));
+    doubles.push_back((n * 1e6 + double(random.below(1000000))) / 1e12);
+    digits.push_back((1e5 + double(random.below(900000))) / tens[5 + random.below(3)]);
+  }
+  EXPECT_EQ(system_of(floats), "3 decimals");
+  EXPECT_EQ(system_of(doubles), "12 decimals");
+  EXPECT_EQ(system_of(digits), "6 digits");
+}
+
+TEST(Numbers, NearDecimalsAreKeptApart) {
+  Random random(5);
+  std::vector<float> numbers;
+  for (int i = 0; i < 4000; ++i) {
+    const float x = float((double(random.below(200000)) - 1e5) / 1e3);
+    const float beside = std::nextafterf(x, random.chance(50) ? 1e9f : -1e9f);
+    numbers.push_back(random.chance(2) ? beside : x);
+  }
+  EXPECT_EQ(system_of(numbers), "3 decimals");
+  for (float& x : numbers) x = std::nextafterf(x, 1e9f);
+  system_of(numbers);
+}
+
+TEST(Numbers, LargeCoordinatesOnAGridAreFound) {
+  Random random(6);
+  std::vector<float> metres;
+  std::vector<double> decimetres;
+  for (int i = 0; i < 3000; ++i) {
+    metres.push_back(5012345.f + 30.f * float(random.below(400)));
+    decimetres.push_back((53123456 + 3 * double(random.below(100000))) / 10);
+  }
+  EXPECT_EQ(system_of(metres), "steps of 30");
+  EXPECT_EQ(system_of(decimetres), "steps of 0.3");
+}
+
+TEST(Numbers, IntegersHaveSteps) {
+  Random random(7);
+  std::vector<std::int16_t> numbers;
+  for (int i = 0; i < 3000; ++i)
+    numbers.push_back(static_cast<std::int16_t>(-700 + 7 * int(random.below(900))));
+  const NumberedValues coded = round_trip(numbers);
+  EXPECT_EQ(describe(coded.numbers, 0), "steps of 7");
+}
+
+TEST(Numbers, FewFloatsAreAPalette) {
+  Random random(8);
+  std::vector<float> some, numbers;
+  for (int i = 0; i < 40; ++i)
+    some.push_back(std::bit_cast<float>(0x3f000000u + random.below(1 << 24)));
+  for (int i = 0; i < 4000; ++i) numbers.push_back(some[random.below(40)]);
+  const NumberedValues coded = round_trip(numbers);
+  EXPECT_EQ(coded.numbers.axes[0].palette.size(), 40u);
+  EXPECT_LT(coded.bytes.size(), 40u * 8);
+}
+
+TEST(Numbers, ScalesAreLengthsOfSteps) {
+  Random random(9);
+  std::vector<float> numbers;
+  for (int i = 0; i < 3000; ++i) {
+    numbers.push_back(30.f * float(random.below(4000)));
+    numbers.push_back(float(random.below(100000)) / 4.f);
+    numbers.push_back(float(double(random.below(100000)) / 10));
+  }
+  const NumberedValues coded = round_trip(numbers, 3);
+  // 30 : 1/4 : 1/10 are not multiples of the least.
+  EXPECT_EQ(coded.numbers.axes[0].scale, 65535u);
+  EXPECT_EQ(coded.numbers.axes[1].scale, 546u);
+  EXPECT_EQ(coded.numbers.axes[2].scale, 218u);
+}
+
+TEST(Numbers, WideDoublesBecomeNarrow) {
+  Random random(10);
+  std::vector<double> numbers;
+  for (int i = 0; i < 3000; ++i) numbers.push_back(double(random.next() >> 11) * 0x1p-53);
+  EXPECT_TRUE(round_trip(numbers).numbers.narrow());
+}
+
+/// What any compiler and machine must make of the same numbers.
+TEST(Numbers, BytesAreTheSameEverywhere) {
+  Random random(11);
+  std::vector<double> numbers;
+  for (int i = 0; i < 2000; ++i) {
+    const double n = double(random.below(1000000)) - 5e5;
+    numbers.insert(numbers.end(), {n / 7846, n / 1e9, n * .1 + 17, std::ldexp(n * n, -70)});
+  }
+  std::uint64_t hash = 14695981039346656037u;
+  const auto add = [&](std::uint64_t byte) { hash = (hash ^ byte) * 1099511628211u; };
+  const NumberedValues coded = round_trip(numbers, 4);
+  for (const std::byte b : coded.bytes) add(std::to_integer<std::uint64_t>(b));
+  for (const std::int32_t k : coded.narrow) add(static_cast<std::uint32_t>(k));
+  for (const std::int64_t k : coded.wide) add(static_cast<std::uint64_t>(k));
+  EXPECT_EQ(hash, 0u);
+}
+
+/// Bytes of many systems, with what they were made of.
+struct Case {
+  NumberedValues coded;
+  std::size_t count, components;
+  Scalar scalar;
+};
+std::vector<Case> some_cases() {
+  std::vector<Case> cases;
+  Random random(12);
+  for (const NumberSystem& s : some_systems()) {
+    std::vector<float> numbers(200);
+    for (float& x : numbers) {
+      x = float(double(random.below(20000)) / (s.divisor == 7846 ? 7846. : 1000.));
+      if (random.chance(30)) x = -0.f;
+      if (random.chance(3)) x = std::bit_cast<float>(static_cast<std::uint32_t>(random.next()));
+    }
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = numbers[i % 60];
+    for (const int level : {1, 9})
+      cases.push_back({put_into_systems(bytes_of(numbers), Scalar::float32, {s, s}, level), 100, 2,
+                       Scalar::float32});
+  }
+  return cases;
+}
+
+/// Reads bytes, and if they can be read makes values of integers in their range.
+bool reads(const Bytes& bytes, const Case& c, Random& random) {
+  ByteReader in(bytes, 0);
+  const auto reader = NumberReader::read(in, c.scalar, c.components, c.count);
+  if (!reader.ok()) {
+    EXPECT_TRUE(reader.error().code == ErrorCode::invalid ||
+                reader.error().code == ErrorCode::truncated);
+    return false;
+  }
+  Bytes values(c.count * c.components * size_of(c.scalar));
+  const auto integer = [&](std::size_t i) {
+    const std::uint64_t top = reader->numbers().axes[i % c.components].top;
+    return random.chance(10) ? top : random.next() % (top + 1);
+  };
+  if (reader->numbers().narrow()) {
+    std::vector<std::int32_t> rows(c.count * c.components);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = static_cast<std::int32_t>(integer(i));
+    return reader->to_values(std::span<const std::int32_t>(rows), values).ok();
+  }
+  std::vector<std::int64_t> rows(c.count * c.components);
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = static_cast<std::int64_t>(integer(i));
+  return reader->to_values(std::span<const std::int64_t>(rows), values).ok();
+}
+
+TEST(Numbers, HostileBytesDoNoHarm) {
+  const auto cases = some_cases();
+  Random random(13);
+  for (std::size_t n = 0; n < cases.size(); ++n) {
+    const Case& c = cases[n];
+    SCOPED_TRACE("case " + std::to_string(n));
+    for (std::size_t size = 0; size < c.coded.bytes.size();
+         size += 1 + c.coded.bytes.size() / (40 * long_runs())) {
+      Bytes bytes(c.coded.bytes.begin(), c.coded.bytes.begin() + static_cast<std::ptrdiff_t>(size));
+      EXPECT_FALSE(reads(bytes, c, random));
+    }
+    for (unsigned i = 0; i < 300 * long_runs(); ++i) {
+      Bytes bytes = c.coded.bytes;
+      for (unsigned flips = 1 + random.below(3); flips > 0; --flips) {
+        // Most fields are in the first bytes.
+        const std::size_t at = random.chance(60) ? random.below(30) : random.below(1u << 20);
+        bytes[at % bytes.size()] = static_cast<std::byte>(random.next());
+      }
+      reads(bytes, c, random);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace clers::internal
