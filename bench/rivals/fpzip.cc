@@ -62,7 +62,7 @@ class Fpzip : public Codec {
 
   void encode() override {
     positions_ = compress(values_for(shape_), shape_);
-    indices_ = zstd_compress(input_->triangles.data(), 4 * input_->triangles.size(), 19);
+    indices_ = zstd19(input_->triangles.data(), 4 * input_->triangles.size());
   }
   // What a decoder has to be told besides: two counts and the shape.
   std::size_t bytes() const override { return positions_.size() + indices_.size() + 9; }

@@ -22,10 +22,6 @@ struct Packer {
   void (*unpack)(const Bytes& packed, void* out, std::size_t size);
 };
 
-Bytes zstd19(const void* data, std::size_t size) {
-  return zstd_compress(data, size, 19);
-}
-
 // The bytes of `xz -9e`.
 Bytes xz9e(const void* data, std::size_t size) {
   Bytes packed(lzma_stream_buffer_bound(size));
@@ -171,9 +167,9 @@ class PackedFile : public Codec {
 
 }  // namespace
 
-std::vector<std::uint8_t> zstd_compress(const void* data, std::size_t size, int level) {
+std::vector<std::uint8_t> zstd19(const void* data, std::size_t size) {
   std::vector<std::uint8_t> frame(ZSTD_compressBound(size));
-  const std::size_t got = ZSTD_compress(frame.data(), frame.size(), data, size, level);
+  const std::size_t got = ZSTD_compress(frame.data(), frame.size(), data, size, 19);
   if (ZSTD_isError(got)) throw CodecFailure(ZSTD_getErrorName(got));
   frame.resize(got);
   return frame;

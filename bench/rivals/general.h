@@ -9,8 +9,8 @@
 
 namespace clers::bench {
 
-/// One zstd frame.
-std::vector<std::uint8_t> zstd_compress(const void* data, std::size_t size, int level);
+/// One zstd frame, of level 19.
+std::vector<std::uint8_t> zstd19(const void* data, std::size_t size);
 /// Precondition: `out` holds as many bytes as were compressed. Throws CodecFailure otherwise.
 void zstd_decompress(const std::vector<std::uint8_t>& frame, void* out, std::size_t size);
 

@@ -41,7 +41,7 @@ class Meshopt : public Codec {
     index_bytes_.resize(meshopt_encodeIndexBuffer(index_bytes_.data(), index_bytes_.size(),
                                                   indices.data(), corners));
     raw_index_size_ = index_bytes_.size();
-    if (zstd_) index_bytes_ = zstd_compress(index_bytes_.data(), index_bytes_.size(), 19);
+    if (zstd_) index_bytes_ = zstd19(index_bytes_.data(), index_bytes_.size());
     if (mode_ != Mode::connectivity) encode_vertices(remap);
     remap_ = std::move(remap);
   }
@@ -86,7 +86,7 @@ class Meshopt : public Codec {
     vertex_bytes_.resize(meshopt_encodeVertexBuffer(vertex_bytes_.data(), vertex_bytes_.size(),
                                                     raw.data(), used_, stride));
     raw_vertex_size_ = vertex_bytes_.size();
-    if (zstd_) vertex_bytes_ = zstd_compress(vertex_bytes_.data(), vertex_bytes_.size(), 19);
+    if (zstd_) vertex_bytes_ = zstd19(vertex_bytes_.data(), vertex_bytes_.size());
   }
 
   void decode_vertices() {

@@ -76,8 +76,8 @@ class MeshoptNpm : public Codec {
     used_ = head[0];
     const Bytes index = take<std::uint8_t>(head[1]), vertex = take<std::uint8_t>(head[2]);
     decoded_ = at_;
-    index_bytes_ = zstd_compress(index.data(), index.size(), 19).size();
-    vertex_bytes_ = zstd_compress(vertex.data(), vertex.size(), 19).size();
+    index_bytes_ = zstd19(index.data(), index.size()).size();
+    vertex_bytes_ = zstd19(vertex.data(), vertex.size()).size();
   }
   std::size_t bytes() const override {
     return meshopt_header(mode_) + index_bytes_ + vertex_bytes_;
