@@ -7,6 +7,7 @@
 
 #include "codec/attributes/integer_planes.h"
 #include "codec/attributes/mixed_coder.h"
+#include "codec/attributes/named_values_decoder.h"
 #include "codec/attributes/ordered_integers.h"
 #include "codec/attributes/planes.h"
 #include "codec/attributes/ranks.h"
@@ -51,6 +52,9 @@ Expected<Done> finish_integers(const AttributeHeader& header, OrderPredictor pre
                                std::span<const std::byte> coded, std::uint64_t at,
                                const CodedSurface& surface, const Lattice<Int>& lattice) {
   if (header.coder == Coder::mixed) return decode_mixed(coded, at, surface, lattice);
+  if (header.coder == Coder::named)
+    return decode_named_values(coded, at, lattice.axes, surface_of(header.attribute, surface),
+                               lattice.rows);
   const std::vector<Axis> axes = with_ranks(lattice.axes);
   const Lattice<Int> ranks{lattice.rows, axes};
   const auto ok = header.coder == Coder::planes
@@ -153,7 +157,10 @@ AttributeMemory decoding_memory(const AttributeHeader& header, std::uint64_t cou
   if (header.begins_without_faces())
     return {numbers + integers, header.coder == Coder::planes ? integers : residuals_memory,
             header.coder == Coder::planes ? integers : 0};
-  return {numbers, 0, integers + mixed_memory(count, triangles)};
+  return {numbers, 0,
+          integers + (header.coder == Coder::named
+                          ? named_values_memory(count, header.attribute.components)
+                          : mixed_memory(count, triangles))};
 }
 
 }  // namespace clers::internal

@@ -8,6 +8,7 @@
 #include "codec/attributes/attribute_format.h"
 #include "codec/attributes/integer_planes.h"
 #include "codec/attributes/mixed_coder.h"
+#include "codec/attributes/named_values_encoder.h"
 #include "codec/attributes/number_encoder.h"
 #include "codec/attributes/ordered_integers.h"
 #include "codec/attributes/planes.h"
@@ -91,6 +92,9 @@ class AttributeEncoder {
         attribute_.domain == Domain::vertex && attribute_.name == position_name && axes.size() == 3;
     if (is_position && level_ == 9)
       take(Coder::mixed, encode_mixed(surface_, Lattice<Int>{rows, axes}));
+    if (!is_position && level_ >= 5)
+      take(Coder::named,
+           encode_named_values(Lattice<Int>{rows, axes}, surface_of(attribute_, surface_)));
     integers_to_ranks(Lattice<Int>{rows, axes});
     const std::vector<Axis> ranked = with_ranks(axes);
     const Lattice<const Int> ranks{rows, ranked};
