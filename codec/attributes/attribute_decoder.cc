@@ -11,6 +11,7 @@
 #include "codec/attributes/ordered_integers.h"
 #include "codec/attributes/planes.h"
 #include "codec/attributes/ranks.h"
+#include "codec/attributes/sized_positions.h"
 
 namespace clers::internal {
 namespace {
@@ -52,6 +53,7 @@ Expected<Done> finish_integers(const AttributeHeader& header, OrderPredictor pre
                                std::span<const std::byte> coded, std::uint64_t at,
                                const CodedSurface& surface, const Lattice<Int>& lattice) {
   if (header.coder == Coder::mixed) return decode_mixed(coded, at, surface, lattice);
+  if (header.coder == Coder::sized) return decode_sized_positions(coded, at, surface, lattice);
   if (header.coder == Coder::named)
     return decode_named_values(coded, at, lattice.axes, surface_of(header.attribute, surface),
                                lattice.rows);
@@ -157,10 +159,11 @@ AttributeMemory decoding_memory(const AttributeHeader& header, std::uint64_t cou
   if (header.begins_without_faces())
     return {numbers + integers, header.coder == Coder::planes ? integers : residuals_memory,
             header.coder == Coder::planes ? integers : 0};
-  return {numbers, 0,
-          integers + (header.coder == Coder::named
-                          ? named_values_memory(count, header.attribute.components)
-                          : mixed_memory(count, triangles))};
+  const std::uint64_t coding = header.coder == Coder::named
+                                   ? named_values_memory(count, header.attribute.components)
+                               : header.coder == Coder::sized ? sized_positions_memory(count)
+                                                              : mixed_memory(count, triangles);
+  return {numbers, 0, integers + coding};
 }
 
 }  // namespace clers::internal

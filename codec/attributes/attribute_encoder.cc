@@ -13,6 +13,7 @@
 #include "codec/attributes/ordered_integers.h"
 #include "codec/attributes/planes.h"
 #include "codec/attributes/ranks.h"
+#include "codec/attributes/sized_positions.h"
 
 namespace clers::internal {
 namespace {
@@ -90,15 +91,20 @@ class AttributeEncoder {
     };
     const bool is_position =
         attribute_.domain == Domain::vertex && attribute_.name == position_name && axes.size() == 3;
-    if (is_position && level_ == 9)
-      take(Coder::mixed, encode_mixed(surface_, Lattice<Int>{rows, axes}));
+    const Lattice<Int> lattice{rows, axes};
     if (!is_position && level_ >= 5)
-      take(Coder::named,
-           encode_named_values(Lattice<Int>{rows, axes}, surface_of(attribute_, surface_)));
+      take(Coder::named, encode_named_values(lattice, surface_of(attribute_, surface_)));
+    if (is_position && level_ == 9) take(Coder::mixed, encode_mixed(surface_, lattice));
+    if (is_position && level_ >= 7)
+      take(Coder::sized, encode_sized_positions(surface_, lattice, VisitOrder::parallelograms));
+    if (is_position && level_ >= 5)
+      take(Coder::sized, encode_sized_positions(surface_, lattice, VisitOrder::introduction));
     integers_to_ranks(Lattice<Int>{rows, axes});
     const std::vector<Axis> ranked = with_ranks(axes);
     const Lattice<const Int> ranks{rows, ranked};
-    take(Coder::ordered, encode_ordered(ranks, surface_of(attribute_, surface_)));
+    // Static shares need no time to learn, so few values may take less.
+    if (level_ < 5 || rows.size() < few)
+      take(Coder::ordered, encode_ordered(ranks, surface_of(attribute_, surface_)));
     if (level_ < 5) return Done{};
     auto packed = pack_integers(ranks, predictors_, surface_, zstd_level(level_));
     if (!packed) return Failure{packed.error()};
@@ -114,6 +120,8 @@ class AttributeEncoder {
     consider(Coder::words, packed->predictor, {}, packed->frame, words_text);
     return Done{};
   }
+
+  static constexpr std::size_t few = 1 << 14;
 
   const Attribute& attribute_;
   const CodedSurface& surface_;

@@ -130,6 +130,11 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
   if (scalar >= scalar_count) return invalid("scalar type", scalar);
   if (components == 0) return invalid("components", components);
   if (coder >= coder_count) return invalid("coder", coder);
+  const bool for_positions = coder == static_cast<std::uint32_t>(Coder::sized) ||
+                             coder == static_cast<std::uint32_t>(Coder::mixed);
+  if (for_positions && (components != 3 || domain != static_cast<std::uint32_t>(Domain::vertex)))
+    return fail(ErrorCode::invalid, Place::byte, at,
+                "a coder of positions, which must be three components of vertices");
   if (changed && !(header.error > 0 && std::isfinite(header.error)))
     return fail(ErrorCode::invalid, Place::byte, at, "an attribute with an error that is none");
   if (predictor > static_cast<std::uint32_t>(Predictor::parallelogram) ||
