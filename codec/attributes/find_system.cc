@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
+#include <optional>
 #include <vector>
 
+#include "codec/attributes/approximate_steps.h"
 #include "codec/attributes/system_cost.h"
 
 namespace clers::internal {
@@ -70,11 +73,12 @@ class Finder {
     look_at_digits();
     propose_decimals();
     propose_binary();
+    propose_noisy();
     return best_;
   }
 
  private:
-  static constexpr std::size_t most_sampled = 8192;
+  static constexpr std::size_t most_sampled = 4096;
   static constexpr U infinity = std::bit_cast<U>(std::numeric_limits<T>::infinity());
   static constexpr unsigned no_decimals = 20;
   static constexpr std::array<std::size_t, 4> outliers = {1u << 30, 1000, 50, 6};
@@ -99,6 +103,7 @@ class Finder {
     for (const U word : sample_.words) {
       const U m = magnitude(word);
       if (m == 0 && word != 0) has_minus_zero_ = true;
+      if (m < infinity) sorted_.push_back(double(std::bit_cast<T>(word)));
       if (m == 0 || m >= infinity) continue;
       magnitudes.push_back(m);
       const T v = std::bit_cast<T>(m);
@@ -122,6 +127,7 @@ class Finder {
       lowest_bits_.add(static_cast<std::size_t>(std::clamp(-lowest, 0, 60)));
       bits_.add(static_cast<std::size_t>(highest_bit(m) - lowest + 1));
     }
+    std::sort(sorted_.begin(), sorted_.end());
     std::sort(magnitudes.begin(), magnitudes.end());
     tops_ = {greatest_};
     if (!magnitudes.empty())
@@ -216,7 +222,102 @@ class Finder {
     }
   }
 
+  /// Decimals and steps that a calculation has left some ulps beside, or a printer some digits.
+  void propose_noisy() {
+    if (sorted_.empty() || tops_.empty()) return;
+    const double top = double(std::bit_cast<T>(tops_.back()));
+    const double ulp = std::ldexp(1., highest_bit(tops_.back()) - static_cast<int>(stored));
+    for (unsigned d = 0; d < 10 && 1 / tens[d] > 16 * ulp; ++d) {
+      NumberSystem s;
+      s.map = NumberMap::quotient;
+      s.divisor = integer_tens[d];
+      propose_with_ulps(s);
+    }
+    if (const auto steps = approximate_steps(sorted_, 4 * ulp)) propose_steps(*steps);
+    for (const std::size_t in : outliers) {
+      const std::size_t digits = digits_.covers_all_but_one_in(in);
+      const std::size_t decimals = decimals_.covers_all_but_one_in(in);
+      if (digits <= PrintedMap<T>::most_digits && digits > 0) {
+        int e = 0;  // of the unit of the last digit
+        while (e < int(most_tens) && top * tens[static_cast<unsigned>(e)] < tens[digits - 1]) ++e;
+        propose_printed(1 / tens[static_cast<unsigned>(e)], digits, false);
+      }
+      if (decimals <= PrintedMap<T>::most_decimals)
+        propose_printed(1 / tens[decimals], decimals, true);
+    }
+  }
+
+  /// A system whose numbers are off by as many ulps as nearly all of the sample.
+  void propose_with_ulps(NumberSystem s) {
+    with_map<T>(s, Scalar::float64, [&](const auto& map) {
+      if constexpr (!std::decay_t<decltype(map)>::has_choices) {
+        Shares<256> off;
+        const std::int64_t most = most_integer<T>(s);
+        for (const U word : sample_.words) {
+          const std::int64_t k = nearest_step(s, std::clamp(map.locate(word).n, -most, most));
+          const std::int64_t n =
+              std::clamp(s.first + k * static_cast<std::int64_t>(s.step), -most, most);
+          const U d = zigzag(static_cast<U>(key_of<T>(word) - key_of<T>(map.word(n, 0))));
+          off.add(
+              static_cast<std::size_t>(std::min<std::uint64_t>((std::uint64_t(d) + 1) / 2, 255)));
+        }
+        for (const std::size_t in : {200u, 20u}) {
+          s.ulps = static_cast<std::uint8_t>(off.covers_all_but_one_in(in));
+          if (s.ulps <= 16) propose(s);
+        }
+      }
+    });
+  }
+
+  void propose_steps(const ApproximateSteps& steps) {
+    if (const auto quotients = quotients_of(steps)) propose_with_ulps(*quotients);
+    NumberSystem s;
+    s.map = NumberMap::affine;
+    s.origin = steps.origin;
+    s.length = steps.length;
+    if (fault_of_map<T>(s).empty()) propose_with_ulps(s);
+  }
+
+  void propose_printed(double unit, std::size_t precision, bool decimals) {
+    const auto steps = approximate_steps(sorted_, unit);
+    if (!steps) return;
+    auto s = quotients_of(*steps);
+    if (!s) return;
+    s->map = NumberMap::printed;
+    s->precision = static_cast<std::uint8_t>(precision);
+    s->decimals = decimals;
+    propose(*s);
+  }
+
+  /// Steps of 1 / D that begin at a simple part of a step: N of D parts * D.
+  std::optional<NumberSystem> quotients_of(const ApproximateSteps& steps) const {
+    const double divisor = std::floor(1 / steps.length + .5);
+    if (divisor < 1 || divisor > 1e9) return std::nullopt;
+    if (std::fabs(steps.length - 1 / divisor) > 2 * steps.error + 1e-15) return std::nullopt;
+    // Where in a step numbers are, from where one of them is
+    const auto part = [&](double v) { return v * divisor - std::floor(v * divisor); };
+    const double about = part(sorted_[sorted_.size() / 2]);
+    double sum = 0;
+    for (const double v : sorted_) {
+      const double d = part(v) - about;
+      sum += d - std::floor(d + .5);
+    }
+    const double begin = about + sum / double(sorted_.size());
+    NumberSystem s;
+    s.map = NumberMap::quotient;
+    for (unsigned parts = 1; parts <= 16; ++parts) {
+      const double first = std::floor(begin * parts + .5);
+      if (std::fabs(begin - first / parts) > steps.noise * divisor / 4 + 1e-9) continue;
+      s.divisor = static_cast<std::uint64_t>(divisor) * parts;
+      s.step = parts;
+      s.first = static_cast<std::int64_t>(first);
+      return s;
+    }
+    return std::nullopt;
+  }
+
   NumberSample<U> sample_;
+  std::vector<double> sorted_;  ///< the finite ones of them
   U greatest_ = 0;
   bool has_minus_zero_ = false;
   Shares<21> decimals_, digits_;
