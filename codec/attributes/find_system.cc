@@ -293,6 +293,8 @@ class Finder {
   std::optional<NumberSystem> quotients_of(const ApproximateSteps& steps) const {
     const double divisor = std::floor(1 / steps.length + .5);
     if (divisor < 1 || divisor > 1e9) return std::nullopt;
+    const double farthest = std::max(std::fabs(sorted_.front()), std::fabs(sorted_.back()));
+    if (!(farthest * divisor * 16 < double(most_exact))) return std::nullopt;
     if (std::fabs(steps.length - 1 / divisor) > 2 * steps.error + 1e-15) return std::nullopt;
     // Where in a step numbers are, from where one of them is
     const auto part = [&](double v) { return v * divisor - std::floor(v * divisor); };
