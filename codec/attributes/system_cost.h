@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "codec/attributes/number_sample.h"
 #include "codec/attributes/place_numbers.h"
 
 namespace clers::internal {
@@ -33,13 +34,6 @@ inline Cost entropy_of(std::span<const std::uint64_t> counts) {
     if (n > 0) cost += n * (log2_of(total) - log2_of(n)) + 1024;
   return cost;
 }
-
-/// The words of numbers, in runs of neighbours.
-template <class U>
-struct NumberSample {
-  std::vector<U> words;
-  std::size_t run;  ///< so many are neighbours
-};
 
 /// What a sample costs: K by its difference to that of the number before, and what else there is.
 template <class T>
