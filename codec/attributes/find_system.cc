@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
+#include <optional>
 #include <vector>
 
+#include "codec/attributes/approximate_steps.h"
+#include "codec/attributes/number_sample.h"
 #include "codec/attributes/system_cost.h"
 
 namespace clers::internal {
@@ -24,130 +28,65 @@ NumberSystem integer_steps(std::span<const std::uint64_t> keys) {
   return system;
 }
 
-/// Counts by which a share of the numbers is covered.
-template <std::size_t Size>
-class Shares {
- public:
-  void add(std::size_t i) { ++counts_[std::min(i, Size - 1)], ++total_; }
-  /// The least i so that at most one of `in` is above it.
-  std::size_t covers_all_but_one_in(std::size_t in) const {
-    std::uint64_t above = total_;
-    std::size_t i = 0;
-    for (; i + 1 < Size; ++i)
-      if ((above -= counts_[i]) * in <= total_) break;
-    return i;
-  }
-  bool any() const { return total_ > 0; }
-
- private:
-  std::array<std::uint64_t, Size> counts_ = {};
-  std::uint64_t total_ = 0;
-};
-
 /// Finds the system of floats.
 template <class T>
 class Finder {
  public:
   using U = WordOf<T>;
-  explicit Finder(std::span<const U> words) {
-    const std::size_t count = words.size();
-    const std::size_t runs = count <= most_sampled ? 1 : 64;
-    sample_.run = runs == 1 ? std::max<std::size_t>(count, 1) : most_sampled / runs;
-    for (std::size_t r = 0; r < runs; ++r)
-      for (std::size_t i = 0; i < std::min(sample_.run, count); ++i)
-        sample_.words.push_back(
-            words[(runs == 1 ? 0 : r * ((count - sample_.run) / (runs - 1))) + i]);
-    for (std::size_t i = 0; i < count; ++i) {
-      const U m = magnitude(words[i]);
-      if (m < infinity) greatest_ = std::max(greatest_, m);
-    }
+  explicit Finder(std::span<const U> words)
+      : sample_(sample_of(words, 64, 64)),
+        few_(sample_of(std::span<const U>(sample_.words), 16, 32)),
+        looks_(sample_.words) {
+    U greatest = 0;
+    for (const U word : words)
+      if (magnitude(word) < Looks::infinity) greatest = std::max(greatest, magnitude(word));
+    tops_ = {greatest, looks_.top};
   }
 
   NumberSystem find() {
-    const NumberSystem words;
-    best_ = words;
-    least_cost_ = cost_of<T>(words, sample_);
-    look_at_digits();
-    propose_decimals();
-    propose_binary();
-    return best_;
+    propose(NumberSystem());
+    if (looks_.top > 0) {
+      propose_decimals();
+      propose_binary();
+      propose_noisy();
+    }
+    std::stable_sort(proposed_.begin(), proposed_.end(),
+                     [](const Proposal& a, const Proposal& b) { return a.cost < b.cost; });
+    proposed_.resize(std::min(proposed_.size(), finalists));
+    for (Proposal& p : proposed_) p.cost = cost_of<T>(p.system, sample_);
+    return std::min_element(proposed_.begin(), proposed_.end(),
+                            [](const Proposal& a, const Proposal& b) { return a.cost < b.cost; })
+        ->system;
   }
 
  private:
-  static constexpr std::size_t most_sampled = 8192;
-  static constexpr U infinity = std::bit_cast<U>(std::numeric_limits<T>::infinity());
-  static constexpr unsigned no_decimals = 20;
+  using Looks = SampleLooks<T>;
+  struct Proposal {
+    NumberSystem system;
+    Cost cost;
+  };
+  static constexpr std::size_t finalists = 5;
   static constexpr std::array<std::size_t, 4> outliers = {1u << 30, 1000, 50, 6};
 
+  /// Measures a system by a few numbers.
   void propose(NumberSystem s) {
-    if (std::find(tried_.begin(), tried_.end(), s) != tried_.end()) return;
-    tried_.push_back(s);
-    const Cost cost = cost_of<T>(s, sample_);
-    if (cost < least_cost_) {
-      least_cost_ = cost;
-      best_ = s;
-    }
-    if (!s.signed_zero && has_minus_zero_ && !has_refinements(s)) {
+    if (std::any_of(proposed_.begin(), proposed_.end(),
+                    [&](const Proposal& p) { return p.system == s; }))
+      return;
+    proposed_.push_back({s, cost_of<T>(s, few_)});
+    if (!s.signed_zero && looks_.minus_zero && !has_refinements(s) && s.map != NumberMap::word) {
       s.signed_zero = true;
       propose(s);
     }
   }
 
-  /// How many decimals and digits, and what lowest bits the numbers have.
-  void look_at_digits() {
-    std::vector<U> magnitudes;
-    for (const U word : sample_.words) {
-      const U m = magnitude(word);
-      if (m == 0 && word != 0) has_minus_zero_ = true;
-      if (m == 0 || m >= infinity) continue;
-      magnitudes.push_back(m);
-      const T v = std::bit_cast<T>(m);
-      unsigned d = 0;
-      std::uint64_t n = 0;
-      for (; d < no_decimals; ++d) {
-        const double scaled = double(v) * tens[d];
-        if (!(scaled < 1e15)) d = no_decimals;
-        if (d == no_decimals) break;
-        n = static_cast<std::uint64_t>(nearest_integer(scaled));
-        if (static_cast<T>(times_ten_to(n, -int(d))) == v) break;
-      }
-      decimals_.add(d);
-      if (d == no_decimals) {
-        digits_.add(20);
-      } else {
-        while (n % 10 == 0) n /= 10;
-        digits_.add(decimal_digits(n));
-      }
-      const int lowest = lowest_bit(m);
-      lowest_bits_.add(static_cast<std::size_t>(std::clamp(-lowest, 0, 60)));
-      bits_.add(static_cast<std::size_t>(highest_bit(m) - lowest + 1));
-    }
-    std::sort(magnitudes.begin(), magnitudes.end());
-    tops_ = {greatest_};
-    if (!magnitudes.empty())
-      tops_.push_back(magnitudes[magnitudes.size() - 1 - magnitudes.size() / 500]);
-  }
-
-  static constexpr unsigned stored = std::numeric_limits<T>::digits - 1;
-  static int lowest_bit(U m) {
-    const auto field = static_cast<int>(m >> stored);
-    const U mantissa = static_cast<U>((m & ((U(1) << stored) - 1)) | U(field > 0) << stored);
-    return BinaryMap<T>::least_exponent + std::max(field - 1, 0) + std::countr_zero(mantissa);
-  }
-  static int highest_bit(U m) {
-    const auto field = static_cast<int>(m >> stored);
-    if (field == 0) return BinaryMap<T>::least_exponent + static_cast<int>(std::bit_width(m)) - 1;
-    return BinaryMap<T>::least_exponent + field - 1 + static_cast<int>(stored);
-  }
-
   void propose_decimals() {
     for (const std::size_t in : outliers) {
-      if (const std::size_t d = decimals_.covers_all_but_one_in(in); d < no_decimals)
+      if (const std::size_t d = looks_.decimals.covers_all_but_one_in(in); d < Looks::no_decimals)
         propose_quotients(integer_tens[d]);
-      const std::size_t digits = digits_.covers_all_but_one_in(in);
+      const std::size_t digits = looks_.digits.covers_all_but_one_in(in);
       if (digits > DigitsMap<T>::most_digits || digits == 0) continue;
       for (const U top : tops_) {
-        if (top == 0) continue;
         NumberSystem s;
         s.map = NumberMap::digits;
         s.precision = static_cast<std::uint8_t>(digits);
@@ -200,32 +139,124 @@ class Finder {
 
   void propose_binary() {
     for (const std::size_t in : outliers) {
-      if (!bits_.any()) return;
-      const std::size_t bits = bits_.covers_all_but_one_in(in);
+      const std::size_t bits = looks_.bits.covers_all_but_one_in(in);
       for (const U top : tops_) {
-        if (top == 0) continue;
         NumberSystem s;
         s.map = NumberMap::binary;
         s.precision = static_cast<std::uint8_t>(std::max<std::size_t>(bits, 1));
-        s.exponent = static_cast<std::int16_t>(std::max(
-            highest_bit(top) + 1 - static_cast<int>(s.precision), BinaryMap<T>::least_exponent));
+        s.exponent = static_cast<std::int16_t>(
+            std::max(Looks::highest_bit(top) + 1 - static_cast<int>(s.precision),
+                     BinaryMap<T>::least_exponent));
         propose(s);
       }
-      if (const std::size_t lowest = lowest_bits_.covers_all_but_one_in(in); lowest <= 52)
+      if (const std::size_t lowest = looks_.lowest_bits.covers_all_but_one_in(in); lowest <= 52)
         propose_quotients(std::uint64_t(1) << lowest);
     }
   }
 
-  NumberSample<U> sample_;
-  U greatest_ = 0;
-  bool has_minus_zero_ = false;
-  Shares<21> decimals_, digits_;
-  Shares<61> lowest_bits_;
-  Shares<64> bits_;
-  std::vector<U> tops_;
-  std::vector<NumberSystem> tried_;
-  NumberSystem best_;
-  Cost least_cost_ = 0;
+  /// Decimals and steps that a calculation has left some ulps beside, or a printer some digits.
+  void propose_noisy() {
+    const double top = double(std::bit_cast<T>(looks_.top));
+    const double ulp =
+        std::ldexp(1., Looks::highest_bit(looks_.top) - static_cast<int>(Looks::stored));
+    for (unsigned d = 0; d < 10 && 1 / tens[d] > 16 * ulp; ++d) {
+      NumberSystem s;
+      s.map = NumberMap::quotient;
+      s.divisor = integer_tens[d];
+      propose_with_ulps(s);
+    }
+    if (const auto steps = approximate_steps(looks_.sorted, 4 * ulp)) propose_steps(*steps);
+    std::size_t digits = 0, decimals = Looks::no_decimals;
+    for (const std::size_t in : outliers) {
+      const std::size_t last_digits = digits, last_decimals = decimals;
+      digits = looks_.digits.covers_all_but_one_in(in);
+      decimals = looks_.decimals.covers_all_but_one_in(in);
+      if (digits <= PrintedMap<T>::most_digits && digits > 0 && digits != last_digits) {
+        int e = 0;  // of the unit of the last digit
+        while (e < int(most_tens) && top * tens[static_cast<unsigned>(e)] < tens[digits - 1]) ++e;
+        propose_printed(1 / tens[static_cast<unsigned>(e)], digits, false);
+      }
+      if (decimals <= PrintedMap<T>::most_decimals && decimals != last_decimals)
+        propose_printed(1 / tens[decimals], decimals, true);
+    }
+  }
+
+  /// A system whose numbers are off by as many ulps as nearly all of the sample.
+  void propose_with_ulps(NumberSystem s) {
+    with_map<T>(s, Scalar::float64, [&](const auto& map) {
+      if constexpr (!std::decay_t<decltype(map)>::has_choices) {
+        Shares<256> off;
+        const std::int64_t most = most_integer<T>(s);
+        for (const U word : sample_.words) {
+          const std::int64_t k = nearest_step(s, std::clamp(map.locate(word).n, -most, most));
+          const std::int64_t n =
+              std::clamp(s.first + k * static_cast<std::int64_t>(s.step), -most, most);
+          const U d = zigzag(static_cast<U>(key_of<T>(word) - key_of<T>(map.word(n, 0))));
+          off.add(
+              static_cast<std::size_t>(std::min<std::uint64_t>((std::uint64_t(d) + 1) / 2, 255)));
+        }
+        for (const std::size_t in : {200u, 20u}) {
+          s.ulps = static_cast<std::uint8_t>(off.covers_all_but_one_in(in));
+          if (s.ulps <= 16) propose(s);
+        }
+      }
+    });
+  }
+
+  void propose_steps(const ApproximateSteps& steps) {
+    if (const auto quotients = quotients_of(steps)) propose_with_ulps(*quotients);
+    NumberSystem s;
+    s.map = NumberMap::affine;
+    s.origin = steps.origin;
+    s.length = steps.length;
+    if (fault_of_map<T>(s).empty()) propose_with_ulps(s);
+  }
+
+  void propose_printed(double unit, std::size_t precision, bool decimals) {
+    const auto steps = approximate_steps(looks_.sorted, unit);
+    if (!steps) return;
+    auto s = quotients_of(*steps);
+    if (!s) return;
+    s->map = NumberMap::printed;
+    s->precision = static_cast<std::uint8_t>(precision);
+    s->decimals = decimals;
+    propose(*s);
+  }
+
+  /// Steps of 1 / D that begin at a simple part of a step: N of D parts * D.
+  std::optional<NumberSystem> quotients_of(const ApproximateSteps& steps) const {
+    const double divisor = std::floor(1 / steps.length + .5);
+    if (divisor < 1 || divisor > 1e9) return std::nullopt;
+    const double farthest =
+        std::max(std::fabs(looks_.sorted.front()), std::fabs(looks_.sorted.back()));
+    if (!(farthest * divisor * 16 < double(most_exact))) return std::nullopt;
+    if (std::fabs(steps.length - 1 / divisor) > 2 * steps.error + 1e-15) return std::nullopt;
+    // Where in a step numbers are, from where one of them is
+    const auto part = [&](double v) { return v * divisor - std::floor(v * divisor); };
+    const double about = part(looks_.sorted[looks_.sorted.size() / 2]);
+    double sum = 0;
+    for (const double v : looks_.sorted) {
+      const double d = part(v) - about;
+      sum += d - std::floor(d + .5);
+    }
+    const double begin = about + sum / double(looks_.sorted.size());
+    NumberSystem s;
+    s.map = NumberMap::quotient;
+    for (unsigned parts = 1; parts <= 16; ++parts) {
+      const double first = std::floor(begin * parts + .5);
+      if (std::fabs(begin - first / parts) > steps.noise * divisor / 4 + 1e-9) continue;
+      s.divisor = static_cast<std::uint64_t>(divisor) * parts;
+      s.step = parts;
+      s.first = static_cast<std::int64_t>(first);
+      return s;
+    }
+    return std::nullopt;
+  }
+
+  NumberSample<U> sample_, few_;
+  Looks looks_;
+  std::array<U, 2> tops_;  ///< the greatest magnitude of all, and but for a few
+  std::vector<Proposal> proposed_;
 };
 
 }  // namespace

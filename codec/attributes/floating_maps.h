@@ -25,9 +25,8 @@ namespace clers::internal {
 
 /// How many decimal digits m has, none if it is 0.
 inline unsigned decimal_digits(std::uint64_t m) {
-  unsigned n = 0;
-  while (n < integer_tens.size() && m >= integer_tens[n]) ++n;
-  return n;
+  const unsigned least = static_cast<unsigned>(std::bit_width(m)) * 1233 >> 12;  // bits * log10(2)
+  return least + (m >= integer_tens[least]);
 }
 
 /// Choices of N = 0: numbers with a magnitude below that of the unit, first 0, then -0.

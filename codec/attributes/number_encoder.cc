@@ -16,71 +16,6 @@
 namespace clers::internal {
 namespace {
 
-/// The least of all words.
-template <class T>
-std::uint64_t least_key(const std::vector<WordOf<T>>& words) {
-  std::uint64_t least = words.empty() ? 0 : ~std::uint64_t(0);
-  for (const auto word : words) least = std::min(least, std::uint64_t(key_of<T>(word)));
-  return least;
-}
-
-template <class T>
-bool is_finite(WordOf<T> word) {
-  if constexpr (std::is_floating_point_v<T>)
-    return std::isfinite(std::bit_cast<T>(word));
-  else
-    return true;
-}
-
-template <class T, class Map>
-PlacedColumn place_column(const std::vector<WordOf<T>>& numbers, NumberSystem system,
-                          const Map& map) {
-  constexpr bool words = std::is_same_v<Map, WordMap<T>>;
-  PlacedColumn column;
-  if (words) system.first = static_cast<std::int64_t>(least_key<T>(numbers));
-  const Placing<T, Map> placing(system, map);
-  const std::size_t count = numbers.size();
-  column.ks.resize(count);
-  if (has_refinements(system)) column.choices.resize(count);
-  std::int64_t least = 0, greatest = 0;
-  bool any = false;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto word = numbers[i];
-    const PlacedNumber p = placing.place(word);
-    column.ks[i] = static_cast<std::uint64_t>(p.k);
-    if (!p.exact) {
-      column.strays.push_back({i, word});
-      continue;
-    }
-    if (!column.choices.empty()) column.choices[i] = p.choice;
-    if (words) {
-      column.top = std::max(column.top, column.ks[i]);
-    } else {
-      least = any ? std::min(least, p.k) : p.k;
-      greatest = any ? std::max(greatest, p.k) : p.k;
-      any = true;
-    }
-  }
-  if (!words) {
-    column.top = static_cast<std::uint64_t>(greatest - least);
-    system.first += least * static_cast<std::int64_t>(system.step);
-    // Strays get what lies near, so that others are predicted well.
-    std::size_t next_stray = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      auto k = static_cast<std::int64_t>(column.ks[i]);
-      if (next_stray < column.strays.size() && column.strays[next_stray].index == i) {
-        ++next_stray;
-        const bool finite = is_finite<T>(numbers[i]);
-        k = finite || i == 0 ? std::clamp(k, least, greatest)
-                             : static_cast<std::int64_t>(column.ks[i - 1]) + least;
-      }
-      column.ks[i] = static_cast<std::uint64_t>(k - least);
-    }
-  }
-  column.system = system;
-  return column;
-}
-
 /// How many bits differences to the value before have, in all: what orders of magnitude cost.
 std::uint64_t bits_of_steps(const std::vector<std::uint64_t>& ks) {
   std::uint64_t bits = 0, before = 0;
@@ -204,9 +139,13 @@ EncodedColumn encode_column(PlacedColumn column, const Map& map, int level) {
   EncodedColumn out;
   NumberColumn& header = out.header;
   header.system = column.system;
-  header.system.low_bits = static_cast<std::uint8_t>(choose_low_bits(column));
+  // Low bits that are all ones may be beyond what there are numbers of.
+  for (unsigned low = choose_low_bits(column);; --low) {
+    header.system.low_bits = static_cast<std::uint8_t>(low);
+    header.axis.top = column.top >> low;
+    if (low == 0 || fault_of<T>(header).empty()) break;
+  }
   const NumberSystem& s = header.system;
-  header.axis.top = column.top >> s.low_bits;
   std::vector<Refinement> known;
   if (has_refinements(s)) {
     known.resize(column.ks.size());
@@ -267,7 +206,7 @@ NumberedValues put_into_systems(std::span<const std::byte> values, Scalar scalar
       using T = decltype(type);
       const auto numbers = words_of<T>(values, {scalar, components, c});
       return with_map<T>(systems[c], scalar, [&](const auto& map) {
-        return encode_column<T>(place_column<T>(numbers, systems[c], map), map, level);
+        return encode_column<T>(place_column<T>(std::span(numbers), systems[c], map), map, level);
       });
     }));
   }

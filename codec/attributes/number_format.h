@@ -62,13 +62,25 @@ std::int64_t most_integer(const NumberSystem& s) {
   return most_exact;
 }
 
+/// What is wrong with the two numbers of an affine map, "" if nothing is: no intermediate result is
+/// so small that it is rounded in another place than others are.
+inline std::string fault_of_affine(const NumberSystem& s) {
+  const double least = 0x1p-900, most = 0x1p900;
+  if (!(s.length >= least && s.length <= most)) return "steps of no length";
+  if (!(std::fabs(s.origin) <= most) || (s.origin != 0 && std::fabs(s.origin) < least))
+    return "an origin out of range";
+  return "";
+}
+
 /// What is wrong with the map of floats of type T; "" if nothing is.
 template <class T>
 std::string fault_of_map(const NumberSystem& s) {
   using Limits = std::numeric_limits<T>;
   switch (s.map) {
     case NumberMap::word: break;
-    case NumberMap::affine: break;
+    case NumberMap::affine:
+      if (std::string fault = fault_of_affine(s); !fault.empty()) return fault;
+      break;
     case NumberMap::printed:
       if (s.precision > (s.decimals ? PrintedMap<T>::most_decimals : PrintedMap<T>::most_digits) ||
           (s.precision == 0 && !s.decimals))
@@ -115,15 +127,10 @@ std::string fault_of(const NumberColumn& column) {
   } else if (s.signed_zero || s.ulps > 0 ||
              (s.map != NumberMap::word && s.map != NumberMap::affine)) {
     return "a number system that is not for integers";
+  } else if (s.map == NumberMap::affine) {
+    if (std::string fault = fault_of_affine(s); !fault.empty()) return fault;
   }
   if (s.map == NumberMap::word) return "";
-  if (s.map == NumberMap::affine) {
-    // No intermediate result is so small that it is rounded in another place than others are.
-    const double least = 0x1p-900, most = 0x1p900;
-    if (!(s.length >= least && s.length <= most)) return "steps of no length";
-    if (!(std::fabs(s.origin) <= most) || (s.origin != 0 && std::fabs(s.origin) < least))
-      return "an origin out of range";
-  }
   const std::uint64_t last = top << s.low_bits | ((std::uint64_t(1) << s.low_bits) - 1);
   const std::int64_t most = most_integer<T>(s);
   if (last > 2 * std::uint64_t(most) / s.step || s.first < -most ||

@@ -39,8 +39,9 @@ std::uint64_t code_choice(Coder& coder, std::uint64_t count, std::uint64_t value
   const std::uint64_t shorter = (std::uint64_t(2) << b) - count;
   const std::uint64_t head =
       code_many_bits(coder, b, value < shorter ? value : (value + shorter) >> 1);
-  if (head < shorter) return head;
-  return (head << 1 | coder.raw(1, static_cast<std::uint32_t>((value + shorter) & 1))) - shorter;
+  const bool longer = head >= shorter;
+  const auto last = coder.raw(longer, static_cast<std::uint32_t>((value + shorter) & longer));
+  return longer ? (head << 1 | last) - shorter : head;
 }
 
 /// A number of up to 64 bits whose length is adaptive.
