@@ -20,12 +20,13 @@ namespace clers::internal {
 
 /// The bytes of rows of integers, one a vertex; none where there is nothing to say: no vertex, or
 /// every top is 0. Palettes are not looked at. Preconditions: each integer is in 0 .. top; 1 .. 255
-/// axes. Cost: linear.
+/// axes. Level 1 does not look for parts with shares of their own: that takes as long as all the
+/// rest. Cost: linear.
 template <class Int>
-Bytes encode_ordered(const Lattice<const Int>& values, const CodedSurface& surface);
+Bytes encode_ordered(const Lattice<const Int>& values, const CodedSurface& surface, int level);
 
-/// Reads rows of residuals. Memory: 1 MiB at most, besides. `at` is the offset of `bytes` in the
-/// file. Errors: truncated, invalid.
+/// Reads rows of residuals. Memory: 1 MiB at most and a byte for 64 rows, besides. `at` is the
+/// offset of `bytes` in the file. Errors: truncated, invalid.
 template <class Int>
 Expected<OrderPredictor> decode_residuals(std::span<const std::byte> bytes, std::uint64_t at,
                                           const Lattice<Int>& rows);
