@@ -25,14 +25,19 @@ namespace clers::internal {
 template <class Int>
 Bytes encode_ordered(const Lattice<const Int>& values, const CodedSurface& surface, int level);
 
-/// Reads rows of residuals. Memory: 1 MiB at most and a byte for 64 rows, besides. `at` is the
-/// offset of `bytes` in the file. Errors: truncated, invalid.
+/// Bytes that decode_residuals takes at most, besides the rows: weights, tables of states, and a
+/// byte for a block of rows.
+constexpr std::uint64_t residuals_memory(std::uint64_t count, std::uint64_t axes) {
+  return (std::uint64_t(256) << 10) + 2200 * axes + count / 64;
+}
+
+/// Reads rows of residuals. `at` is the offset of `bytes` in the file. Errors: truncated, invalid.
 template <class Int>
 Expected<OrderPredictor> decode_residuals(std::span<const std::byte> bytes, std::uint64_t at,
                                           const Lattice<Int>& rows);
 
-/// Makes values of rows of residuals, in place. `at` is where they were read. Errors: invalid, if
-/// one is not in 0 .. top; then what rows hold is anything.
+/// Makes values of rows of residuals, in place, with no memory besides. `at` is where they were
+/// read. Errors: invalid, if one is not in 0 .. top; then what rows hold is anything.
 template <class Int>
 Expected<Done> add_steps(OrderPredictor predictor, const CodedSurface& surface, std::uint64_t at,
                          const Lattice<Int>& rows);
