@@ -9,8 +9,8 @@
 
 #include "codec/attributes/hexagon.h"
 #include "codec/attributes/prediction.h"
-#include "codec/attributes/residual_sets.h"
 #include "codec/attributes/residual_streams.h"
+#include "codec/attributes/two_sets.h"
 
 namespace clers::internal {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 /// that is added last mostly is the one before, which may just have been computed.
 template <class Int>
 CLERS_ALWAYS_INLINE std::make_unsigned_t<Int> predicted(const Int* rows, std::size_t components,
-                                                        const Step<std::uint32_t>& step,
+                                                        const OrderStep<std::uint32_t>& step,
                                                         std::make_unsigned_t<Int> more = 0) {
   using U = std::make_unsigned_t<Int>;
   const auto at = [&](std::uint32_t v) { return static_cast<U>(rows[v * components]); };
@@ -29,16 +29,16 @@ CLERS_ALWAYS_INLINE std::make_unsigned_t<Int> predicted(const Int* rows, std::si
 }
 template <class Int>
 CLERS_ALWAYS_INLINE Int residual_of(const Int* rows, std::size_t components, std::size_t v,
-                                    const Step<std::uint32_t>& step) {
+                                    const OrderStep<std::uint32_t>& step) {
   using U = std::make_unsigned_t<Int>;
   return static_cast<Int>(static_cast<U>(rows[v * components]) - predicted(rows, components, step));
 }
 
 /// Residuals of values begin .. end - 1 and their classes, which are counted.
 template <class Int, class Components>
-void find_residuals(const Lattice<const Int>& values, Components components, Steps& steps,
+void find_residuals(const Lattice<const Int>& values, Components components, OrderSteps& steps,
                     std::size_t begin, std::size_t end, std::span<Int> residuals,
-                    std::uint8_t* classes, std::vector<Counts>& counts) {
+                    std::uint8_t* classes, std::vector<ClassCounts>& counts) {
   const Int* rows = values.rows.data();
   Int* out = residuals.data();
   if (begin == 0) out = std::copy_n(rows, std::size_t(components), out);
@@ -63,8 +63,8 @@ OrderPredictor choose(const Lattice<const Int>& values, Components components,
   std::uint64_t least = ~std::uint64_t(0);
   for (unsigned p = order_predictors; p-- > 0;) {
     const OrderPredictor predictor = static_cast<OrderPredictor>(p);
-    Steps steps(surface, predictor);
-    std::vector<Counts> counts(components, Counts{});
+    OrderSteps steps(surface, predictor);
+    std::vector<ClassCounts> counts(components, ClassCounts{});
     for (std::size_t begin = 0; begin < count; begin += stride) {
       const std::size_t end = std::min(count, begin + run);
       find_residuals(values, components, steps, begin, end,
@@ -72,7 +72,7 @@ OrderPredictor choose(const Lattice<const Int>& values, Components components,
                      counts);
     }
     std::uint64_t cost = 0;
-    for (const Counts& of_component : counts) cost += cost_of(of_component);
+    for (const ClassCounts& of_component : counts) cost += cost_of(of_component);
     if (cost < least) {
       least = cost;
       best = predictor;
@@ -105,16 +105,16 @@ void for_each_abreast(std::span<const std::size_t> which, Use use) {
 }
 
 /// Shares above 2^10 pay next to nothing, and tables would no longer fit into a cache of 32 KiB.
-ResidualModel model_for(std::span<const std::uint8_t> classes, const std::vector<Counts>& counts,
-                        std::span<const std::size_t> coded, bool may_have_two) {
+ShareSets model_for(std::span<const std::uint8_t> classes, const std::vector<ClassCounts>& counts,
+                    std::span<const std::size_t> coded, bool may_have_two) {
   const std::size_t count = classes.size() / counts.size();
-  ResidualModel model;
+  ShareSets model;
   model.log = count < 4096 ? 9 : 10;
   model.significant = count < 4096 ? 2 : count < 65536 ? 3 : 4;
   if (may_have_two) {
     TwoSets two(classes, counts.size());
     if (two.pays(counts)) {
-      for (const std::vector<Counts>& of_set : two.counts)
+      for (const std::vector<ClassCounts>& of_set : two.counts)
         model.sets.push_back(weights_by_component(of_set, coded, model.significant));
       model.set_of = std::move(two.set_of);
       return model;
@@ -135,22 +135,22 @@ Bytes encode_ordered(const Lattice<const Int>& values, const CodedSurface& surfa
 
   std::vector<Int> residuals(values.rows.size());
   std::vector<std::uint8_t> classes(values.rows.size());
-  std::vector<Counts> counts(components, Counts{});
+  std::vector<ClassCounts> counts(components, ClassCounts{});
   OrderPredictor predictor{};
   with_components(components, [&](auto n) {
     predictor = choose(values, n, surface);
-    Steps steps(surface, predictor);
-    for (std::size_t begin = 0; begin < count; begin += Steps::most) {
-      const std::size_t end = std::min(count, begin + Steps::most);
+    OrderSteps steps(surface, predictor);
+    for (std::size_t begin = 0; begin < count; begin += OrderSteps::most) {
+      const std::size_t end = std::min(count, begin + OrderSteps::most);
       find_residuals(values, n, steps, begin, end,
                      std::span(residuals).subspan(begin * n, (end - begin) * n),
                      classes.data() + begin * n, counts);
     }
   });
 
-  ResidualModel model = model_for(classes, counts, which.coded, level > 1);
+  ShareSets model = model_for(classes, counts, which.coded, level > 1);
   put_u8(out, static_cast<unsigned>(predictor) | (model.significant - 1) << 2 |
-                  (model.log - ResidualModel::least_log) << 4 |
+                  (model.log - ShareSets::least_log) << 4 |
                   static_cast<unsigned>(model.sets.size() - 1) << 6);
   const Bytes head = encode_stream([&](EncodeTo& coder) { model.code(coder, which.coded); });
   put_varint(out, head.size());
@@ -185,9 +185,9 @@ Expected<OrderPredictor> decode_residuals(std::span<const std::byte> bytes, std:
   }
   ByteReader in(bytes, at);
   const std::uint32_t how = in.u8();
-  ResidualModel model;
+  ShareSets model;
   model.significant = (how >> 2 & 3) + 1;
-  model.log = (how >> 4 & 3) + ResidualModel::least_log;
+  model.log = (how >> 4 & 3) + ShareSets::least_log;
   model.sets.assign((how >> 6) + 1, std::vector<Weights>(components));
   if ((how & 3) >= order_predictors || model.log > tans::most_log || model.sets.size() > 2)
     return invalid("residuals of no kind that is known");
@@ -236,7 +236,7 @@ Expected<Done> add_steps(OrderPredictor predictor, const CodedSurface& surface, 
     std::array<U, 255> tops;
     for (std::size_t c = 0; c < n; ++c) tops[c] = static_cast<U>(rows.axes[c].top);
     for (std::size_t c = 0; count > 0 && c < n; ++c) beyond |= static_cast<U>(values[c]) > tops[c];
-    Steps steps(surface, predictor);
+    OrderSteps steps(surface, predictor);
     for_each_step(steps, 0, count, [&](std::size_t v, auto step) {
       for (std::size_t c = 0; c < n; ++c) {
         Int& value = values[v * n + c];

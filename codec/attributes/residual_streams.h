@@ -37,7 +37,7 @@ inline constexpr std::size_t abreast = 3;
 inline constexpr std::size_t rows_in_block = 64;
 
 /// What residuals are coded with.
-struct ResidualModel {
+struct ShareSets {
   unsigned log = 10;         ///< shares are of 2^log, least_log .. tans::most_log
   unsigned significant = 3;  ///< bits of a weight, 1 .. 4
   /// One set of weights, or two; in each those of all components. Those of components that are not
@@ -82,8 +82,7 @@ struct ResidualModel {
 template <class Int, std::size_t n>
 void encode_abreast(std::span<const Int> residuals, std::span<const std::uint8_t> classes,
                     std::size_t components, const std::array<std::size_t, n>& which,
-                    const ResidualModel& model, const std::array<std::uint64_t, n>& raw,
-                    Bytes& out) {
+                    const ShareSets& model, const std::array<std::uint64_t, n>& raw, Bytes& out) {
   static constexpr std::array<Int, residual_classes> least = least_residuals<Int>();
   using U = std::make_unsigned_t<Int>;
   const std::size_t count = residuals.size() / components;
@@ -145,9 +144,9 @@ void encode_abreast(std::span<const Int> residuals, std::span<const std::uint8_t
 
 /// Undoes it. False: the bytes do not end with the last row.
 template <class Int, std::size_t n>
-bool decode_abreast(const std::array<std::span<const std::byte>, n>& bytes,
-                    const ResidualModel& model, std::size_t components,
-                    const std::array<std::size_t, n>& which, std::span<Int> residuals) {
+bool decode_abreast(const std::array<std::span<const std::byte>, n>& bytes, const ShareSets& model,
+                    std::size_t components, const std::array<std::size_t, n>& which,
+                    std::span<Int> residuals) {
   static constexpr std::array<Int, residual_classes> least = least_residuals<Int>();
   using U = std::make_unsigned_t<Int>;
   std::vector<std::array<std::unique_ptr<tans::DecodeTable<Int>>, n>> tables(model.sets.size());

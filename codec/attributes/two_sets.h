@@ -1,7 +1,7 @@
 // Which shares residuals are coded with: those of the encoder's choice. It knows classes and how
 // often they occur, no values.
-#ifndef CLERS_CODEC_ATTRIBUTES_RESIDUAL_SETS_H
-#define CLERS_CODEC_ATTRIBUTES_RESIDUAL_SETS_H
+#ifndef CLERS_CODEC_ATTRIBUTES_TWO_SETS_H
+#define CLERS_CODEC_ATTRIBUTES_TWO_SETS_H
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@
 
 namespace clers::internal {
 
-using Counts = std::array<std::uint64_t, residual_classes>;
+using ClassCounts = std::array<std::uint64_t, residual_classes>;
 
 /// log2(x) in 1/256, rounded down. x > 0.
 inline std::uint64_t log2_of(std::uint64_t x) {
@@ -32,7 +32,7 @@ inline std::uint64_t log2_of(std::uint64_t x) {
 }
 
 /// What residuals in these classes take at least, in 1/256 bits.
-inline std::uint64_t cost_of(const Counts& counts) {
+inline std::uint64_t cost_of(const ClassCounts& counts) {
   std::uint64_t all = 0, cost = 0;
   for (unsigned c = 0; c < residual_classes; ++c) {
     if (counts[c] == 0) continue;
@@ -42,23 +42,23 @@ inline std::uint64_t cost_of(const Counts& counts) {
   return all == 0 ? 0 : cost + all * log2_of(all);
 }
 /// About what the weights of these classes take.
-inline std::uint64_t cost_of_weights(const Counts& counts) {
+inline std::uint64_t cost_of_weights(const ClassCounts& counts) {
   std::uint64_t cost = 0;
   for (const std::uint64_t n : counts) cost += n != 0 ? 4 * 256 : 0;
   return cost;
 }
 
 /// Weights of the components that are coded; neighbours have the same where that takes least.
-inline std::vector<Weights> weights_by_component(const std::vector<Counts>& counts,
+inline std::vector<Weights> weights_by_component(const std::vector<ClassCounts>& counts,
                                                  std::span<const std::size_t> coded,
                                                  unsigned significant) {
   std::vector<Weights> weights(counts.size());
   for (std::size_t first = 0, next = 0; first < coded.size(); first = next) {
-    Counts together = counts[coded[first]];
+    ClassCounts together = counts[coded[first]];
     std::uint64_t cost = cost_of(together);
     for (next = first + 1; next < coded.size(); ++next) {
-      const Counts& other = counts[coded[next]];
-      Counts sum = together;
+      const ClassCounts& other = counts[coded[next]];
+      ClassCounts sum = together;
       for (unsigned c = 0; c < residual_classes; ++c) sum[c] += other[c];
       const std::uint64_t both = cost_of(sum);
       if (both > cost + cost_of(other) + cost_of_weights(other)) break;
@@ -96,7 +96,7 @@ class TwoSets {
   }
 
   /// Whether they take less than one set does, weights and all, by what is worth the time.
-  bool pays(const std::vector<Counts>& of_all) const {
+  bool pays(const std::vector<ClassCounts>& of_all) const {
     std::uint64_t one = 0, two = 160 * std::uint64_t(set_of.size());
     for (std::size_t c = 0; c < components_; ++c) {
       one += cost_of(of_all[c]) + cost_of_weights(of_all[c]);
@@ -105,8 +105,8 @@ class TwoSets {
     return two < one - one / 256;
   }
 
-  std::vector<std::uint8_t> set_of;           ///< of each block
-  std::array<std::vector<Counts>, 2> counts;  ///< of each component
+  std::vector<std::uint8_t> set_of;                ///< of each block
+  std::array<std::vector<ClassCounts>, 2> counts;  ///< of each component
 
  private:
   std::span<const std::uint8_t> block(std::size_t b) const {
@@ -114,10 +114,10 @@ class TwoSets {
     return classes_.subspan(begin, std::min(size, classes_.size() - begin));
   }
   void count() {
-    for (auto& of_set : counts) of_set.assign(components_, Counts{});
+    for (auto& of_set : counts) of_set.assign(components_, ClassCounts{});
     for (std::size_t b = 0; b < set_of.size(); ++b) {
       const std::span<const std::uint8_t> in = block(b);
-      std::vector<Counts>& of_set = counts[set_of[b]];
+      std::vector<ClassCounts>& of_set = counts[set_of[b]];
       for (std::size_t i = 0; i < in.size(); i += components_)
         for (std::size_t c = 0; c < components_; ++c) ++of_set[c][in[i + c]];
     }
