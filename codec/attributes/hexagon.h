@@ -24,7 +24,7 @@ inline constexpr unsigned order_predictors = 3;
 
 /// A value is predicted at from + (to - origin) >> halving. All are numbers of vertices.
 template <class Lanes>
-struct Step {
+struct OrderStep {
   Lanes from, to, origin, halving;
 };
 
@@ -54,7 +54,8 @@ struct ThreeTriangles {
 /// has a greater number than v counts as not there. A corner that is taken for c or x and is
 /// another predicts worse, no more.
 template <class Lanes>
-CLERS_ALWAYS_INLINE Step<Lanes> step_to(Lanes v, const ThreeTriangles<Lanes>& t, Lanes look_ahead) {
+CLERS_ALWAYS_INLINE OrderStep<Lanes> step_to(Lanes v, const ThreeTriangles<Lanes>& t,
+                                             Lanes look_ahead) {
   const Lanes a = t.face[0], b = t.face[1], x = t.next[2];
   const Lanes right = equal(a, t.before[2]), left = equal(b, t.before[2]);
   const Lanes c = select(right, t.before[0], t.before[1]);
@@ -73,12 +74,12 @@ CLERS_ALWAYS_INLINE Lanes usual(Lanes v, const ThreeTriangles<Lanes>& t) {
   return equal(t.face[2], v) & less(t.face[0], v) & less(t.face[1], v);
 }
 
-/// Steps to vertices of consecutive numbers.
-class Steps {
+/// OrderSteps to vertices of consecutive numbers.
+class OrderSteps {
  public:
   static constexpr std::size_t most = 256;
 
-  Steps(const CodedSurface& surface, OrderPredictor predictor)
+  OrderSteps(const CodedSurface& surface, OrderPredictor predictor)
       : surface_(surface), predictor_(predictor) {}
 
   /// Finds the steps to vertices v .. v + count - 1. Preconditions: v > 0, count <= most. All lead
@@ -91,7 +92,7 @@ class Steps {
     for (; i < count; ++i) find_one(v + static_cast<std::uint32_t>(i), i);
   }
   /// The step to vertex v + i.
-  Step<std::uint32_t> operator[](std::size_t i) const {
+  OrderStep<std::uint32_t> operator[](std::size_t i) const {
     return {from_[i], to_[i], origin_[i], halving_[i]};
   }
 
@@ -131,7 +132,7 @@ class Steps {
           three.next[j] = {f[3 + j]};
         }
         if (usual(OneLane{v}, three).v != 0) {
-          const Step<OneLane> s = step_to(OneLane{v}, three, OneLane{look_ahead()});
+          const OrderStep<OneLane> s = step_to(OneLane{v}, three, OneLane{look_ahead()});
           return put(i, s.from.v, s.to.v, s.origin.v, s.halving.v);
         }
       }
@@ -163,7 +164,7 @@ class Steps {
                                                {low[3], FourLanes::load(second), high[0]},
                                                {high[1], high[2], high[3]}};
       const FourLanes at = FourLanes::all(v) + FourLanes::load(count);
-      const Step<FourLanes> s = step_to(at, three, FourLanes::all(look_ahead()));
+      const OrderStep<FourLanes> s = step_to(at, three, FourLanes::all(look_ahead()));
       s.from.store(&from_[i]);
       s.to.store(&to_[i]);
       s.origin.store(&origin_[i]);
@@ -184,10 +185,10 @@ class Steps {
 /// Calls visit(v, step) for vertices begin .. end - 1 in the order of their numbers; not for the
 /// first of all, which nothing is known of.
 template <class Visit>
-CLERS_ALWAYS_INLINE void for_each_step(Steps& steps, std::size_t begin, std::size_t end,
+CLERS_ALWAYS_INLINE void for_each_step(OrderSteps& steps, std::size_t begin, std::size_t end,
                                        Visit visit) {
   for (std::size_t v = begin == 0 ? 1 : begin; v < end;) {
-    const std::size_t count = std::min(end - v, Steps::most);
+    const std::size_t count = std::min(end - v, OrderSteps::most);
     steps.find(static_cast<std::uint32_t>(v), count);
     for (std::size_t i = 0; i < count; ++i) visit(v + i, steps[i]);
     v += count;

@@ -10,40 +10,16 @@
 #include "codec/attributes/hexagon.h"
 #include "codec/attributes/prediction.h"
 #include "codec/attributes/residual_streams.h"
+#include "codec/attributes/two_sets.h"
 
 namespace clers::internal {
 namespace {
-
-using Counts = std::array<std::uint64_t, residual_classes>;
-
-/// log2(x) in 1/256, rounded down. x > 0.
-std::uint64_t log2_of(std::uint64_t x) {
-  const unsigned whole = static_cast<unsigned>(std::bit_width(x)) - 1;
-  std::uint64_t m = whole > 31 ? x >> (whole - 31) : x << (31 - whole), fraction = 0;
-  for (unsigned i = 0; i < 8; ++i) {
-    m = m * m >> 31;
-    fraction = fraction << 1 | m >> 32;
-    if (m >> 32 != 0) m >>= 1;
-  }
-  return whole << 8 | fraction;
-}
-
-/// What residuals in these classes take at least, in 1/256 bits.
-std::uint64_t cost_of(const Counts& counts) {
-  std::uint64_t all = 0, cost = 0;
-  for (unsigned c = 0; c < residual_classes; ++c) {
-    if (counts[c] == 0) continue;
-    all += counts[c];
-    cost += counts[c] * ((std::uint64_t(raw_bits(c)) << 8) - log2_of(counts[c]));
-  }
-  return all == 0 ? 0 : cost + all * log2_of(all);
-}
 
 /// What a step predicts of a component, and more, modulo the word. `rows` begin at it. The value
 /// that is added last mostly is the one before, which may just have been computed.
 template <class Int>
 CLERS_ALWAYS_INLINE std::make_unsigned_t<Int> predicted(const Int* rows, std::size_t components,
-                                                        const Step<std::uint32_t>& step,
+                                                        const OrderStep<std::uint32_t>& step,
                                                         std::make_unsigned_t<Int> more = 0) {
   using U = std::make_unsigned_t<Int>;
   const auto at = [&](std::uint32_t v) { return static_cast<U>(rows[v * components]); };
@@ -53,16 +29,16 @@ CLERS_ALWAYS_INLINE std::make_unsigned_t<Int> predicted(const Int* rows, std::si
 }
 template <class Int>
 CLERS_ALWAYS_INLINE Int residual_of(const Int* rows, std::size_t components, std::size_t v,
-                                    const Step<std::uint32_t>& step) {
+                                    const OrderStep<std::uint32_t>& step) {
   using U = std::make_unsigned_t<Int>;
   return static_cast<Int>(static_cast<U>(rows[v * components]) - predicted(rows, components, step));
 }
 
 /// Residuals of values begin .. end - 1 and their classes, which are counted.
 template <class Int, class Components>
-void find_residuals(const Lattice<const Int>& values, Components components, Steps& steps,
+void find_residuals(const Lattice<const Int>& values, Components components, OrderSteps& steps,
                     std::size_t begin, std::size_t end, std::span<Int> residuals,
-                    std::uint8_t* classes, std::vector<Counts>& counts) {
+                    std::uint8_t* classes, std::vector<ClassCounts>& counts) {
   const Int* rows = values.rows.data();
   Int* out = residuals.data();
   if (begin == 0) out = std::copy_n(rows, std::size_t(components), out);
@@ -87,8 +63,8 @@ OrderPredictor choose(const Lattice<const Int>& values, Components components,
   std::uint64_t least = ~std::uint64_t(0);
   for (unsigned p = order_predictors; p-- > 0;) {
     const OrderPredictor predictor = static_cast<OrderPredictor>(p);
-    Steps steps(surface, predictor);
-    std::vector<Counts> counts(components, Counts{});
+    OrderSteps steps(surface, predictor);
+    std::vector<ClassCounts> counts(components, ClassCounts{});
     for (std::size_t begin = 0; begin < count; begin += stride) {
       const std::size_t end = std::min(count, begin + run);
       find_residuals(values, components, steps, begin, end,
@@ -96,7 +72,7 @@ OrderPredictor choose(const Lattice<const Int>& values, Components components,
                      counts);
     }
     std::uint64_t cost = 0;
-    for (const Counts& of_component : counts) cost += cost_of(of_component);
+    for (const ClassCounts& of_component : counts) cost += cost_of(of_component);
     if (cost < least) {
       least = cost;
       best = predictor;
@@ -128,44 +104,30 @@ void for_each_abreast(std::span<const std::size_t> which, Use use) {
   if (which.size() - i == 1) use(std::array<std::size_t, 1>{which[i]});
 }
 
-/// Finer shares pay from some number of vertices on; above 2^10 next to nothing, and tables would
-/// no longer fit into a cache of 32 KiB.
-SharePrecision precision_for(std::size_t count) {
-  if (count < 4096) return {9, 2};
-  return {10, count < 65536 ? 3u : 4u};
-}
-
-/// Weights of the components that are coded; neighbours have the same where that takes least.
-std::vector<Weights> weights_by_component(const std::vector<Counts>& counts,
-                                          std::span<const std::size_t> coded,
-                                          unsigned significant) {
-  std::vector<Weights> weights(counts.size());
-  for (std::size_t first = 0, next = 0; first < coded.size(); first = next) {
-    Counts together = counts[coded[first]];
-    std::uint64_t cost = cost_of(together);
-    for (next = first + 1; next < coded.size(); ++next) {
-      const Counts& other = counts[coded[next]];
-      Counts sum = together;
-      std::uint64_t own = cost_of(other);
-      for (unsigned c = 0; c < residual_classes; ++c) {
-        sum[c] += other[c];
-        if (other[c] != 0) own += 4 * 256;  // about what its weight takes
-      }
-      const std::uint64_t both = cost_of(sum);
-      if (both > cost + own) break;
-      together = sum;
-      cost = both;
+/// Shares above 2^10 pay next to nothing, and tables would no longer fit into a cache of 32 KiB.
+ShareSets model_for(std::span<const std::uint8_t> classes, const std::vector<ClassCounts>& counts,
+                    std::span<const std::size_t> coded, bool may_have_two) {
+  const std::size_t count = classes.size() / counts.size();
+  ShareSets model;
+  model.log = count < 4096 ? 9 : 10;
+  model.significant = count < 4096 ? 2 : count < 65536 ? 3 : 4;
+  if (may_have_two) {
+    TwoSets two(classes, counts.size());
+    if (two.pays(counts)) {
+      for (const std::vector<ClassCounts>& of_set : two.counts)
+        model.sets.push_back(weights_by_component(of_set, coded, model.significant));
+      model.set_of = std::move(two.set_of);
+      return model;
     }
-    const Weights of_all = weights_of(together, significant);
-    for (std::size_t i = first; i < next; ++i) weights[coded[i]] = of_all;
   }
-  return weights;
+  model.sets.push_back(weights_by_component(counts, coded, model.significant));
+  return model;
 }
 
 }  // namespace
 
 template <class Int>
-Bytes encode_ordered(const Lattice<const Int>& values, const CodedSurface& surface) {
+Bytes encode_ordered(const Lattice<const Int>& values, const CodedSurface& surface, int level) {
   const std::size_t count = values.count(), components = values.axes.size();
   const Components which(values.axes);
   Bytes out;
@@ -173,43 +135,37 @@ Bytes encode_ordered(const Lattice<const Int>& values, const CodedSurface& surfa
 
   std::vector<Int> residuals(values.rows.size());
   std::vector<std::uint8_t> classes(values.rows.size());
-  std::vector<Counts> counts(components, Counts{});
+  std::vector<ClassCounts> counts(components, ClassCounts{});
   OrderPredictor predictor{};
   with_components(components, [&](auto n) {
     predictor = choose(values, n, surface);
-    Steps steps(surface, predictor);
-    for (std::size_t begin = 0; begin < count; begin += Steps::most) {
-      const std::size_t end = std::min(count, begin + Steps::most);
+    OrderSteps steps(surface, predictor);
+    for (std::size_t begin = 0; begin < count; begin += OrderSteps::most) {
+      const std::size_t end = std::min(count, begin + OrderSteps::most);
       find_residuals(values, n, steps, begin, end,
                      std::span(residuals).subspan(begin * n, (end - begin) * n),
                      classes.data() + begin * n, counts);
     }
   });
 
-  const SharePrecision precision = precision_for(count);
-  std::vector<Weights> weights = weights_by_component(counts, which.coded, precision.significant);
-  put_u8(out,
-         static_cast<unsigned>(predictor) | (precision.significant - 1) << 2 | precision.log << 4);
-  const Bytes head = encode_stream([&](EncodeTo& coder) {
-    ComponentWeights model;
-    for (const std::size_t c : which.coded) model.code(coder, precision.significant, weights[c]);
-  });
+  ShareSets model = model_for(classes, counts, which.coded, level > 1);
+  put_u8(out, static_cast<unsigned>(predictor) | (model.significant - 1) << 2 |
+                  (model.log - ShareSets::least_log) << 4 |
+                  static_cast<unsigned>(model.sets.size() - 1) << 6);
+  const Bytes head = encode_stream([&](EncodeTo& coder) { model.code(coder, which.coded); });
   put_varint(out, head.size());
   put_bytes(out, head);
 
   std::vector<std::size_t> streams;
   for (const std::size_t c : which.coded)
-    if (!all_zero(weights[c])) streams.push_back(c);
+    if (!model.all_zero(c)) streams.push_back(c);
   for_each_abreast(streams, [&](auto side_by_side) {
     constexpr std::size_t n = side_by_side.size();
-    std::array<Shares, n> shares;
     std::array<std::uint64_t, n> raw{};
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t c = side_by_side[i];
-      shares[i] = shares_of(weights[c], precision.log);
-      for (unsigned k = 0; k < residual_classes; ++k) raw[i] += counts[c][k] * raw_bits(k);
-    }
-    encode_abreast<Int, n>(residuals, classes, components, side_by_side, shares, raw, out);
+    for (std::size_t i = 0; i < n; ++i)
+      for (unsigned k = 0; k < residual_classes; ++k)
+        raw[i] += counts[side_by_side[i]][k] * raw_bits(k);
+    encode_abreast<Int, n>(residuals, classes, components, side_by_side, model, raw, out);
   });
   return out;
 }
@@ -229,41 +185,40 @@ Expected<OrderPredictor> decode_residuals(std::span<const std::byte> bytes, std:
   }
   ByteReader in(bytes, at);
   const std::uint32_t how = in.u8();
-  const SharePrecision precision{how >> 4, (how >> 2 & 3) + 1};
-  if ((how & 3) >= order_predictors) return invalid("predictor " + std::to_string(how & 3));
-  if (in.ok() && (precision.log < 9 || precision.log > tans::most_log))
-    return invalid("shares of 2^" + std::to_string(precision.log));
+  ShareSets model;
+  model.significant = (how >> 2 & 3) + 1;
+  model.log = (how >> 4 & 3) + ShareSets::least_log;
+  model.sets.assign((how >> 6) + 1, std::vector<Weights>(components));
+  if ((how & 3) >= order_predictors || model.log > tans::most_log || model.sets.size() > 2)
+    return invalid("residuals of no kind that is known");
   const Stream head = read_stream(in, {});
   if (!in.ok()) return Failure{in.error()};
-  std::vector<Weights> weights(components);
+  if (model.sets.size() > 1)
+    model.set_of.resize((rows.count() + rows_in_block - 1) / rows_in_block);
   const auto read = decode_stream(head, "the weights", [&](DecodeFrom& coder) -> std::string {
-    ComponentWeights model;
-    for (const std::size_t c : which.coded) {
-      model.code(coder, precision.significant, weights[c]);
-      if (weights[c].size() > classes_below(which.top)) return "residuals of values beyond all";
-      if (!can_share(weights[c], precision.log)) return "weights that are no shares";
-    }
+    model.code(coder, which.coded);
+    for (const std::vector<Weights>& set : model.sets)
+      for (const std::size_t c : which.coded) {
+        if (set[c].size() > classes_below(which.top)) return "residuals of values beyond all";
+        if (!can_share(set[c], model.log)) return "weights that are no shares";
+      }
     return {};
   });
   if (!read) return Failure{read.error()};
 
   std::vector<std::size_t> streams;
   for (std::size_t c = 0; c < components; ++c)
-    if (rows.axes[c].top != 0 && !all_zero(weights[c]))
+    if (rows.axes[c].top != 0 && !model.all_zero(c))
       streams.push_back(c);
     else
       for (std::size_t i = c; i < rows.rows.size(); i += components) rows.rows[i] = 0;
   bool finished = true;
   for_each_abreast(streams, [&](auto side_by_side) {
     constexpr std::size_t n = side_by_side.size();
-    std::array<Shares, n> shares;
     std::array<std::span<const std::byte>, n> parts;
-    for (std::size_t i = 0; i < n; ++i) {
-      shares[i] = shares_of(weights[side_by_side[i]], precision.log);
-      parts[i] = read_stream(in, {}).bytes;
-    }
+    for (std::span<const std::byte>& part : parts) part = read_stream(in, {}).bytes;
     if (in.ok())
-      finished &= decode_abreast<Int, n>(parts, shares, components, side_by_side, rows.rows);
+      finished &= decode_abreast<Int, n>(parts, model, components, side_by_side, rows.rows);
   });
   if (!in.ok()) return Failure{in.error()};
   if (!finished || in.left() != 0) return invalid("residuals do not end where their bytes end");
@@ -281,7 +236,7 @@ Expected<Done> add_steps(OrderPredictor predictor, const CodedSurface& surface, 
     std::array<U, 255> tops;
     for (std::size_t c = 0; c < n; ++c) tops[c] = static_cast<U>(rows.axes[c].top);
     for (std::size_t c = 0; count > 0 && c < n; ++c) beyond |= static_cast<U>(values[c]) > tops[c];
-    Steps steps(surface, predictor);
+    OrderSteps steps(surface, predictor);
     for_each_step(steps, 0, count, [&](std::size_t v, auto step) {
       for (std::size_t c = 0; c < n; ++c) {
         Int& value = values[v * n + c];
@@ -295,8 +250,8 @@ Expected<Done> add_steps(OrderPredictor predictor, const CodedSurface& surface, 
   return fail(ErrorCode::invalid, Place::byte, at, "a value is beyond the greatest of its axis");
 }
 
-template Bytes encode_ordered(const Lattice<const std::int32_t>&, const CodedSurface&);
-template Bytes encode_ordered(const Lattice<const std::int64_t>&, const CodedSurface&);
+template Bytes encode_ordered(const Lattice<const std::int32_t>&, const CodedSurface&, int);
+template Bytes encode_ordered(const Lattice<const std::int64_t>&, const CodedSurface&, int);
 template Expected<OrderPredictor> decode_residuals(std::span<const std::byte>, std::uint64_t,
                                                    const Lattice<std::int32_t>&);
 template Expected<OrderPredictor> decode_residuals(std::span<const std::byte>, std::uint64_t,

@@ -20,21 +20,24 @@ namespace clers::internal {
 
 /// The bytes of rows of integers, one a vertex; none where there is nothing to say: no vertex, or
 /// every top is 0. Palettes are not looked at. Preconditions: each integer is in 0 .. top; 1 .. 255
-/// axes. Cost: linear.
+/// axes. Level 1 does not look for parts with shares of their own: that takes as long as all the
+/// rest. Cost: linear.
 template <class Int>
-Bytes encode_ordered(const Lattice<const Int>& values, const CodedSurface& surface);
+Bytes encode_ordered(const Lattice<const Int>& values, const CodedSurface& surface, int level);
 
-/// What decode_residuals takes at most.
-inline constexpr std::uint64_t residuals_memory = 1 << 20;
+/// Bytes that decode_residuals takes at most, besides the rows: weights, tables of states, and a
+/// byte for a block of rows.
+constexpr std::uint64_t residuals_memory(std::uint64_t count, std::uint64_t axes) {
+  return (std::uint64_t(256) << 10) + 2200 * axes + count / 64;
+}
 
-/// Reads rows of residuals. Memory: residuals_memory at most. `at` is the offset of `bytes` in the
-/// file. Errors: truncated, invalid.
+/// Reads rows of residuals. `at` is the offset of `bytes` in the file. Errors: truncated, invalid.
 template <class Int>
 Expected<OrderPredictor> decode_residuals(std::span<const std::byte> bytes, std::uint64_t at,
                                           const Lattice<Int>& rows);
 
-/// Makes values of rows of residuals, in place. `at` is where they were read. Errors: invalid, if
-/// one is not in 0 .. top; then what rows hold is anything.
+/// Makes values of rows of residuals, in place, with no memory besides. `at` is where they were
+/// read. Errors: invalid, if one is not in 0 .. top; then what rows hold is anything.
 template <class Int>
 Expected<Done> add_steps(OrderPredictor predictor, const CodedSurface& surface, std::uint64_t at,
                          const Lattice<Int>& rows);

@@ -18,7 +18,7 @@
 
 namespace clers::internal::tans {
 
-inline constexpr unsigned most_log = 12;
+inline constexpr unsigned most_log = 11;
 
 /// The symbol of each state, spread evenly. Precondition: shares add up to 2^log.
 inline std::vector<std::uint8_t> spread(const Shares& shares) {

@@ -21,10 +21,10 @@ using test::coded;
 /// Both forms of the search for steps are the same, and lead from lesser vertices.
 void check_steps(const CodedSurface& surface, std::size_t count) {
   for (unsigned p = 0; p < order_predictors; ++p) {
-    Steps one(surface, static_cast<OrderPredictor>(p)), many(one);
-    for_each_step(many, 0, count, [&](std::size_t v, const Step<std::uint32_t>& s) {
+    OrderSteps one(surface, static_cast<OrderPredictor>(p)), many(one);
+    for_each_step(many, 0, count, [&](std::size_t v, const OrderStep<std::uint32_t>& s) {
       one.find(static_cast<std::uint32_t>(v), 1);
-      const Step<std::uint32_t> same = one[0];
+      const OrderStep<std::uint32_t> same = one[0];
       EXPECT_EQ(s.from, same.from);
       EXPECT_EQ(s.to, same.to);
       EXPECT_EQ(s.origin, same.origin);
@@ -67,8 +67,8 @@ TEST(Hexagon, IsWhatItsPictureSays) {
   };
   const std::size_t count = surface.introduced_by.size();
   std::size_t parallelograms = 0, hexagons = 0;
-  Steps steps(surface, OrderPredictor::hexagon);
-  for_each_step(steps, 0, count, [&](std::size_t i, const Step<std::uint32_t>& s) {
+  OrderSteps steps(surface, OrderPredictor::hexagon);
+  for_each_step(steps, 0, count, [&](std::size_t i, const OrderStep<std::uint32_t>& s) {
     const auto v = static_cast<std::uint32_t>(i);
     if (s.halving == 0) {
       parallelograms += face(s.from, s.to, s.origin) && face(s.from, s.to, v);
