@@ -21,7 +21,8 @@ namespace clers::internal {
 using Pair = std::array<std::int64_t, 2>;
 
 CLERS_ALWAYS_INLINE std::uint64_t magnitude(std::int64_t x) {
-  return x < 0 ? 0 - static_cast<std::uint64_t>(x) : static_cast<std::uint64_t>(x);
+  const std::int64_t sign = x >> 63;
+  return static_cast<std::uint64_t>((x ^ sign) - sign);
 }
 
 /// e x f, added to n.

@@ -17,7 +17,7 @@ namespace clers::internal {
 /// 240.
 CLERS_ALWAYS_INLINE unsigned size_of(std::uint64_t x) {
   x += 4;
-  const unsigned w = static_cast<unsigned>(std::bit_width(x)) - 3;
+  const unsigned w = static_cast<unsigned>(std::bit_width(x | 4)) - 3;
   return 4 * w + static_cast<unsigned>(x >> w) - 4;
 }
 
@@ -32,15 +32,15 @@ struct ResidualContext {
 
   CLERS_ALWAYS_INLINE ResidualContext(unsigned k, unsigned size)
       : kind(k), octave(std::min(size >> 2, octaves - 1)) {
-    const unsigned narrowest = kind == 1 ? 2 : 3;
-    width = std::min(octave > narrowest ? octave - narrowest : 0, most_width);
+    const int wider = static_cast<int>(octave) - (kind == 1 ? 2 : 3);
+    width = std::min(static_cast<unsigned>(wider & ~(wider >> 31)), most_width);
   }
 };
 
 /// Where in its bin a residual is.
 CLERS_ALWAYS_INLINE std::uint64_t low_bits(std::int64_t r, unsigned width) {
-  const std::int64_t size = std::int64_t(1) << width;
-  return static_cast<std::uint64_t>((r + size / 2) & (size - 1));
+  const std::uint64_t size = std::uint64_t(1) << width;
+  return (static_cast<std::uint64_t>(r) + (size >> 1)) & (size - 1);
 }
 
 /// Adaptive coding of residuals, expected ones cheap. A residual is a bin around 0, -7 .. 7, and
@@ -67,11 +67,11 @@ class ResidualModel {
   template <class Coder>
   CLERS_ALWAYS_INLINE bool code(Coder& coder, unsigned lane, ResidualContext context, unsigned near,
                                 std::uint64_t low, std::int64_t& r) {
-    const std::int64_t size = std::int64_t(1) << context.width;
+    const std::int64_t half = static_cast<std::int64_t>((std::uint64_t(1) << context.width) >> 1);
     std::int64_t bin = 0;
     unsigned symbol = 0;
     if constexpr (Coder::encodes) {
-      bin = (r + size / 2) >> context.width;
+      bin = (r + half) >> context.width;
       symbol = bin < -7 || bin > 7 ? 15 : static_cast<unsigned>(bin + 7);
     }
     const unsigned octave = std::min(context.octave, few - 1);
@@ -82,7 +82,7 @@ class ResidualModel {
     } else {
       bin = static_cast<std::int64_t>(symbol) - 7;
     }
-    r = bin * size + static_cast<std::int64_t>(low) - size / 2;
+    r = static_cast<std::int64_t>(static_cast<std::uint64_t>(bin) << context.width | low) - half;
     return true;
   }
 

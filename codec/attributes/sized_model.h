@@ -84,6 +84,10 @@ class SizedModel {
   static bool known(const Record& r) { return r.at[3] != 0; }
   static std::uint32_t sizes(const Record& r) { return static_cast<std::uint32_t>(r.at[3]); }
 
+  /// lnext and lprev without a branch, which would go either way.
+  static std::uint32_t next_in(std::uint32_t h) { return h + 1 - 3 * (h % 3 == 2); }
+  static std::uint32_t previous_in(std::uint32_t h) { return h - 1 + 3 * (h % 3 == 0); }
+
   /// The vertex that half-edge h leaves, where `next` and `previous` are the two after it.
   template <class Coder>
   CLERS_ALWAYS_INLINE void code_at(Coder& coder, std::uint32_t h, std::uint32_t next,
@@ -94,17 +98,17 @@ class SizedModel {
     // What is not there is v itself, which is not known.
     std::uint32_t c = v, d = v, dd = v, e = v, ee = v;
     if (const HalfEdge out = twin[next]) [[likely]]
-      c = corner[lprev(out).index()];
+      c = corner[previous_in(out.index())];
     if (const HalfEdge out = twin[previous]) [[likely]] {
-      d = corner[lprev(out).index()];
-      if (const HalfEdge over = twin[lnext(out).index()]) [[likely]]
-        dd = corner[lprev(over).index()];
+      d = corner[previous_in(out.index())];
+      if (const HalfEdge over = twin[next_in(out.index())]) [[likely]]
+        dd = corner[previous_in(over.index())];
     }
     if (const HalfEdge in = twin[h]) [[likely]] {
-      const HalfEdge side = lprev(in);
-      e = corner[side.index()];
-      if (const HalfEdge over = twin[side.index()]) [[likely]]
-        ee = corner[lprev(over).index()];
+      const std::uint32_t side = previous_in(in.index());
+      e = corner[side];
+      if (const HalfEdge over = twin[side]) [[likely]]
+        ee = corner[previous_in(over.index())];
     }
     code_across(coder, v, corner[next], corner[previous], c, d, dd, e, ee);
   }
@@ -143,19 +147,17 @@ class SizedModel {
     const std::array<std::int64_t, 3> normal =
         steps_.normal({B - A, (D - B).when(left), (A - E).when(right)},
                       {B - C, D - Triple(rdd), A - Triple(ree)});
-    const std::int64_t sizes_of_normal[3] = {std::abs(normal[0]), std::abs(normal[1]),
-                                             std::abs(normal[2])};
-    const unsigned z = sizes_of_normal[2] >= std::max(sizes_of_normal[0], sizes_of_normal[1]) ? 2
-                       : sizes_of_normal[1] >= sizes_of_normal[0]                             ? 1
-                                                                                              : 0;
-    const unsigned x = z == 2 ? 0 : z + 1, y = z == 0 ? 2 : z - 1;
+    const std::int64_t nx = std::abs(normal[0]), ny = std::abs(normal[1]), nz = std::abs(normal[2]);
+    const unsigned z = (2u - (ny > nz)) & (0u - !((nx > ny) & (nx > nz)));
+    static constexpr std::uint8_t after[] = {1, 2, 0};
+    const unsigned x = after[z], y = after[x];
 
     // The mean, in quarters of a step, and how far the first two are apart.
     const Triple first = steps_.inside(A + B - C);
     const Triple from_left = (steps_.inside(B + D - Triple(rdd)) - first).when(left),
                  from_right = (steps_.inside(A + E - Triple(ree)) - first).when(right);
     const Record start = first.stored(), off = (from_left + from_right).stored(),
-                 spread = (left ? from_left : from_right).magnitude().stored();
+                 spread = (from_left + from_right.when(!left)).magnitude().stored();
     std::int64_t mean[3];
     for (unsigned i = 0; i < 3; ++i)
       mean[i] = 4 * std::int64_t(start.at[i]) + steps_.quarters(off.at[i], n);
@@ -212,7 +214,7 @@ class SizedModel {
     // So that the mean is above: mirror images are the same context.
     const std::int64_t below = -static_cast<std::int64_t>(rest < 0);
     const unsigned fraction = static_cast<unsigned>((rest ^ below) - below);
-    const unsigned near = n - 1 + (context.width <= 1 ? 3 * fraction : 0);
+    const unsigned near = n - 1 + 3 * fraction * (context.width <= 1);
     std::int64_t r = 0;
     if constexpr (Coder::encodes) {
       r = steps_.difference(i, std::int64_t(value), nearest);
@@ -242,9 +244,9 @@ class SizedModel {
   CLERS_ALWAYS_INLINE static std::array<std::int64_t, 2> slopes_of(std::int64_t nx, std::int64_t ny,
                                                                    std::int64_t nz, int larger) {
     const std::int64_t share = std::clamp(larger, 0, 4);
-    const int shift = std::max(static_cast<int>(std::bit_width(magnitude(nz))) - 15, 0);
+    const int shift = std::max(static_cast<int>(std::bit_width(magnitude(nz) | 1)) - 15, 0);
     const std::int32_t z = static_cast<std::int32_t>(nz >> shift);
-    const std::int64_t inverse = (1 << 29) / (z == 0 ? 1 : z);
+    const std::int64_t inverse = (1 << 29) / (z + (z == 0));
     return {((nx >> shift) * inverse >> 15) * share, ((ny >> shift) * inverse >> 15) * share};
   }
 

@@ -72,8 +72,8 @@ class alignas(64) Distribution {
 
   /// The symbol was seen: its share grows, the others shrink, less the more were seen.
   CLERS_ALWAYS_INLINE void update(unsigned symbol) {
-    const unsigned rate = rates[seen_];
-    seen_ = static_cast<std::uint16_t>(seen_ + (seen_ + 1u < rates.size()));
+    const unsigned seen = seen_, rate = rates[seen];
+    seen_ = static_cast<std::uint16_t>(seen + (seen < rates.size() - 1));
     const std::uint16_t* target = targets[rate - least_rate][symbol].data();
 #if CLERS_SSE2
     auto* lanes = reinterpret_cast<__m128i*>(start_);

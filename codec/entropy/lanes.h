@@ -163,9 +163,9 @@ class LaneDecoder {
     // Without a branch, which would go either way: a word is loaded, and used or not.
     const std::uint32_t word =
         std::to_integer<std::uint32_t>(next_[0]) | std::to_integer<std::uint32_t>(next_[1]) << 8;
-    const bool wants = x < LaneEncoder::low;
-    state_[lane] = wants ? x << 16 | word : x;
-    next_ += 2 * std::size_t(wants);
+    const std::uint32_t wanted = 0u - (x < LaneEncoder::low);
+    state_[lane] = x << (wanted & 16) | (word & wanted);
+    next_ += wanted & 2;
   }
 
   /// n <= 56.
