@@ -20,14 +20,14 @@ std::string code_all(Coder& coder, const CodedSurface& surface, const Lattice<In
                      const std::optional<MirrorPlane>& plane, const Originals* originals) {
   Model<Int> model(surface, lattice, plane, originals);
   Star star;
+  const Stars stars(surface);
   std::uint32_t before = no_vertex;
   bool good = true;
   const auto code = [&](std::uint32_t v) {
-    good = good && model.code(coder, v, star, before);
+    good = good && model.code(coder, stars, v, star, before);
     before = v;
   };
   if (!surface.twins.empty()) {
-    const Stars stars(surface);
     for_each_by_parallelograms(surface, [&](HalfEdge h, const Visited& visited) {
       stars.find(h, visited, star);
       code(surface.corners[h.index()]);

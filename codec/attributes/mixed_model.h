@@ -18,6 +18,7 @@
 #include "codec/attributes/mixed_guess.h"
 #include "codec/attributes/mixed_mixing.h"
 #include "codec/attributes/mixed_scales.h"
+#include "codec/attributes/mixed_shapes.h"
 #include "codec/attributes/mixed_space.h"
 #include "codec/attributes/mixed_star.h"
 #include "codec/attributes/vector.h"
@@ -52,12 +53,13 @@ class Model {
 
   /// Codes vertex v, about which the star is known; before: a vertex coded before, if there is any.
   template <class Coder>
-  bool code(Coder& coder, std::uint32_t v, const Star& star, std::uint32_t before) {
+  bool code(Coder& coder, const Stars& stars, std::uint32_t v, const Star& star, std::uint32_t before) {
     partner_ = Mirror<Int>::nobody;
     if (star.parallelograms == 0) {
       if (!code_lonely(coder, v, star, before)) return false;
     } else {
       look(star);
+ find_shape(stars, v, star);
       predict(star);
       guess(v, star);
       if (!code_components(coder, v, star)) return false;
@@ -124,6 +126,23 @@ class Model {
     tip_ = side;
   }
 
+  /// Where v is by the shapes of others.
+  void find_shape(const Stars& stars, std::uint32_t v, const Star& star) {
+    Vector sum;
+    int known = 0;
+    gates_ = std::min(star.parallelograms, most_gates);
+    for (unsigned i = 0; i < gates_; ++i) {
+      const Star::Parallelogram& p = star.parallelogram[i];
+      const auto at = [&](std::uint32_t u) { return frame_.local(point(u) - frame_.origin); };
+      const unsigned key = Shapes::key(stars.degree(v), stars.degree(p.a), stars.degree(p.b), stars.degree(p.c));
+      gate_[i] = Shapes::place(at(p.a), at(p.b), normal_, key);
+      if (!shapes_.knows(gate_[i])) continue;
+      ++known;
+      sum += clamp(shapes_.predict(gate_[i], normal_), Frame::most);
+    }
+    shape_ = known ? sum * part(static_cast<unsigned>(known)) >> 16 : mean_;
+  }
+
   void set_normal(Vector n) {
     const std::int64_t size = largest(n);
     normal_ = {};
@@ -168,7 +187,7 @@ class Model {
     f.set(5, lines_ - mean_);
     f.set(6, line_a_ - mean_);
     f.set(7, line_b_ - mean_);
-    f.set(8, Vector{});
+    f.set(8, shape_ - mean_);
     f.set(9, tip_ - mean_);
     f.set(10, residual(gate.a));
     f.set(11, residual(gate.b));
@@ -256,14 +275,14 @@ class Model {
 
   /// Experts that know of other places.
   void guess(std::uint32_t v, const Star& star) {
-    present_ = 0x5f;
+    present_ = 0x7f; copy_ = shape_; copied_ = false;
     const Star::Parallelogram& gate = star.parallelogram[0];
     const int edge = edge_ - frame_.finer * 256;
     const auto place = [&](const std::array<Int, 3>& row) { return frame_.local(space_.point(row.data()) - frame_.origin); };
     if (copies_) {
       std::array<Int, 3> row;
       if (copies_->guess(v, gate.a, gate.b, gate.c, row.data())) {
-        present_ |= 1 << 5;
+        copied_ = true;
         copy_ = place(row);
         const int expected = static_cast<int>(copies_->expected()) * 16 - 256;
         guess_[0]->predict(expected, least_size_, size(copy_ - corrected_), across_, edge);
@@ -336,7 +355,7 @@ class Model {
         int scale = common;
         if (i == 3) {
           scale = axis_[c];
-        } else if (i == 5 || i == 7) {
+        } else if ((i == 5 && copied_) || i == 7) {
           scale = guess_[i == 5 ? 0 : c == mirror_axis_ ? 1 : 2]->scale();
         } else {
           if (k == 1) o.mean += covariance_.second(missed[0][i]);
@@ -349,7 +368,7 @@ class Model {
       unsigned lead = opinions[3].scale + 128 < opinions[1].scale ? 3 : 1;
       context.mode = 0;
       for (const unsigned i : {5u, 7u}) {
-        if ((present_ >> i & 1) == 0) continue;
+        if (!(i == 5 ? copied_ : present_ >> 7 & 1)) continue;
         const bool leads = opinions[i].scale < opinions[lead].scale && !wrong;
         if (leads) lead = i;
         context.mode = i == 5 ? 1 : leads ? 3 : 2;
@@ -367,7 +386,7 @@ class Model {
           frame_.finer);
       if (k < 2) {
         for (const unsigned i : {5u, 7u}) {
-          if ((present_ >> i & 1) == 0) continue;
+          if (!(i == 5 ? copied_ : present_ >> 7 & 1)) continue;
           const std::int64_t off = place - opinions[i].mean;
           wrong = wrong || size1(off) > std::max(guess_[i == 5 ? 0 : 2]->scale(), ruler.step() - frame_.finer * 256) + 512;
         }
@@ -393,7 +412,7 @@ class Model {
     const std::int64_t e0 = excess(along, along_), e1 = excess(across, across_);
     along_of_.learn(features_, inverse_power_, rate, e0);
     across_of_.learn(features_, inverse_power_, rate, e1);
-    if (present_ >> 5 & 1) guess_[0]->learn(size(place_ - copy_));
+    if (copied_) guess_[0]->learn(size(place_ - copy_));
     if (present_ >> 7 & 1) {
       const Vector off = place_ - image_;
       guess_[1]->learn(size1(off[mirror_axis_]));
@@ -403,9 +422,9 @@ class Model {
       const std::int64_t moved = frame_.finer >= 8 ? o >> (frame_.finer - 8) : o * (std::int64_t(1) << (8 - frame_.finer));
       shift_ += std::clamp(moved, -most, most) >> 5;
     }
-    const Vector others[experts] = {mean_,    corrected_, lines_,     mean_,
-                                    ends_[0], mean_,      ring_mean_, mean_};
-    for (const unsigned i : {0u, 2u, 4u, 6u}) {
+    for (unsigned i = 0; i < gates_; ++i) shapes_.learn(gate_[i], place_, normal_);
+    const Vector others[experts] = {mean_, corrected_, lines_, mean_, ends_[0], shape_,      ring_mean_, mean_};
+    for (const unsigned i : {0u, 2u, 4u, 5u, 6u}) {
       int n, t;
       sizes(place_ - others[i], n, t);
       bias_[i] += static_cast<int>(
@@ -507,6 +526,12 @@ class Model {
   Vector copy_, image_;
   std::uint32_t partner_ = 0;
   unsigned present_ = 0;
+  bool copied_ = false;
+  static constexpr unsigned most_gates = 3;
+  unsigned gates_ = 0;
+  Shapes shapes_;
+  Shapes::Place gate_[most_gates];
+  Vector shape_;
   Correction correction_;
   Mixing mixing_;
 };
