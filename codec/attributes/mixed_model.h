@@ -11,10 +11,10 @@
 
 #include "codec/attributes/copies.h"
 #include "codec/attributes/lattice.h"
+#include "codec/attributes/mirror.h"
 #include "codec/attributes/mixed_correction.h"
 #include "codec/attributes/mixed_covariance.h"
 #include "codec/attributes/mixed_decisions.h"
-#include "codec/attributes/mirror.h"
 #include "codec/attributes/mixed_guess.h"
 #include "codec/attributes/mixed_mixing.h"
 #include "codec/attributes/mixed_scales.h"
@@ -53,13 +53,14 @@ class Model {
 
   /// Codes vertex v, about which the star is known; before: a vertex coded before, if there is any.
   template <class Coder>
-  bool code(Coder& coder, const Stars& stars, std::uint32_t v, const Star& star, std::uint32_t before) {
+  bool code(Coder& coder, const Stars& stars, std::uint32_t v, const Star& star,
+            std::uint32_t before) {
     partner_ = Mirror<Int>::nobody;
     if (star.parallelograms == 0) {
       if (!code_lonely(coder, v, star, before)) return false;
     } else {
       look(star);
- find_shape(stars, v, star);
+      find_shape(stars, v, star);
       predict(star);
       guess(v, star);
       if (!code_components(coder, v, star)) return false;
@@ -134,7 +135,8 @@ class Model {
     for (unsigned i = 0; i < gates_; ++i) {
       const Star::Parallelogram& p = star.parallelogram[i];
       const auto at = [&](std::uint32_t u) { return frame_.local(point(u) - frame_.origin); };
-      const unsigned key = Shapes::key(stars.degree(v), stars.degree(p.a), stars.degree(p.b), stars.degree(p.c));
+      const unsigned key =
+          Shapes::key(stars.degree(v), stars.degree(p.a), stars.degree(p.b), stars.degree(p.c));
       gate_[i] = Shapes::place(at(p.a), at(p.b), normal_, key);
       if (!shapes_.knows(gate_[i])) continue;
       ++known;
@@ -275,10 +277,14 @@ class Model {
 
   /// Experts that know of other places.
   void guess(std::uint32_t v, const Star& star) {
-    present_ = 0x7f; copy_ = shape_; copied_ = false;
+    present_ = 0x7f;
+    copy_ = shape_;
+    copied_ = false;
     const Star::Parallelogram& gate = star.parallelogram[0];
     const int edge = edge_ - frame_.finer * 256;
-    const auto place = [&](const std::array<Int, 3>& row) { return frame_.local(space_.point(row.data()) - frame_.origin); };
+    const auto place = [&](const std::array<Int, 3>& row) {
+      return frame_.local(space_.point(row.data()) - frame_.origin);
+    };
     if (copies_) {
       std::array<Int, 3> row;
       if (copies_->guess(v, gate.a, gate.b, gate.c, row.data())) {
@@ -290,14 +296,14 @@ class Model {
     }
     if (mirror_) {
       std::array<Int, 3> row;
-      for (std::size_t i = 0; i < 3; ++i)
-        row[i] = integer(i, corrected_[static_cast<unsigned>(i)]);
+      for (std::size_t i = 0; i < 3; ++i) row[i] = integer(i, corrected_[static_cast<unsigned>(i)]);
       partner_ = mirror_->guess(gate.a, gate.b, row.data());
       if (partner_ != Mirror<Int>::nobody) {
         present_ |= 1 << 7;
         for (std::size_t i = 0; i < 3; ++i) row[i] = mirror_->image(partner_, i);
         image_ = place(row);
-        image_[mirror_axis_] += frame_.finer >= 8 ? shift_ * (std::int64_t(1) << (frame_.finer - 8)) : shift_ >> (8 - frame_.finer);
+        image_[mirror_axis_] += frame_.finer >= 8 ? shift_ * (std::int64_t(1) << (frame_.finer - 8))
+                                                  : shift_ >> (8 - frame_.finer);
         const Vector a = mismatch(gate.a), b = mismatch(gate.b), d = image_ - corrected_;
         guess_[1]->predict(size1(a[mirror_axis_]), size1(b[mirror_axis_]), size1(d[mirror_axis_]),
                            across_, edge);
@@ -309,16 +315,20 @@ class Model {
   /// The integer on an axis that is at a place in the frame, within the axis.
   Int integer(std::size_t axis, std::int64_t place) const {
     const unsigned c = static_cast<unsigned>(axis);
-    const std::int64_t x = frame_.origin[c] + (frame_.finer >= 0 ? place >> frame_.finer : place * (std::int64_t(1) << -frame_.finer));
+    const std::int64_t x =
+        frame_.origin[c] +
+        (frame_.finer >= 0 ? place >> frame_.finer : place * (std::int64_t(1) << -frame_.finer));
     const std::int64_t k = x <= 0 ? 0 : space_.scale(c) == 1 ? x : x / space_.scale(c);
-    return static_cast<Int>(std::min(k, static_cast<std::int64_t>(axes_[axis].top) >> space_.drop()) << space_.drop());
+    return static_cast<Int>(std::min(k, static_cast<std::int64_t>(axes_[axis].top) >> space_.drop())
+                            << space_.drop());
   }
 
   /// From a vertex to the image of its partner.
   Vector mismatch(std::uint32_t v) const {
     const std::uint32_t w = mirror_->partner(v);
     if (w == Mirror<Int>::nobody) {
-      const auto usual = static_cast<std::int64_t>(fixed::exp2(std::clamp(across_ + frame_.finer * 256, 0, 28 * 256)) >> 16);
+      const auto usual = static_cast<std::int64_t>(
+          fixed::exp2(std::clamp(across_ + frame_.finer * 256, 0, 28 * 256)) >> 16);
       return {usual, usual, usual};
     }
     std::array<Int, 3> row;
@@ -337,7 +347,8 @@ class Model {
 
   template <class Coder>
   bool code_components(Coder& coder, std::uint32_t v, const Star& star) {
-    const Vector means[experts] = {mean_, corrected_, lines_, mean_, ends_[0], copy_, ring_mean_, image_};
+    const Vector means[experts] = {mean_,    corrected_, lines_,     mean_,
+                                   ends_[0], copy_,      ring_mean_, image_};
     std::int64_t missed[2][experts];
     Int* const row = rows_ + 3 * std::size_t(v);
     Context context;
@@ -388,7 +399,9 @@ class Model {
         for (const unsigned i : {5u, 7u}) {
           if (!(i == 5 ? copied_ : present_ >> 7 & 1)) continue;
           const std::int64_t off = place - opinions[i].mean;
-          wrong = wrong || size1(off) > std::max(guess_[i == 5 ? 0 : 2]->scale(), ruler.step() - frame_.finer * 256) + 512;
+          wrong = wrong || size1(off) > std::max(guess_[i == 5 ? 0 : 2]->scale(),
+                                                 ruler.step() - frame_.finer * 256) +
+                                            512;
         }
         for (unsigned i = 0; i < experts; ++i) missed[k][i] = place - means[i][c];
         const std::int64_t off = place - opinions[lead].mean;
@@ -419,11 +432,13 @@ class Model {
       guess_[2]->learn(size(beside(off)));
       const std::int64_t o = off[mirror_axis_];
       const std::int64_t most = std::int64_t(256) * space_.scale(mirror_axis_);
-      const std::int64_t moved = frame_.finer >= 8 ? o >> (frame_.finer - 8) : o * (std::int64_t(1) << (8 - frame_.finer));
+      const std::int64_t moved =
+          frame_.finer >= 8 ? o >> (frame_.finer - 8) : o * (std::int64_t(1) << (8 - frame_.finer));
       shift_ += std::clamp(moved, -most, most) >> 5;
     }
     for (unsigned i = 0; i < gates_; ++i) shapes_.learn(gate_[i], place_, normal_);
-    const Vector others[experts] = {mean_, corrected_, lines_, mean_, ends_[0], shape_,      ring_mean_, mean_};
+    const Vector others[experts] = {mean_,    corrected_, lines_,     mean_,
+                                    ends_[0], shape_,     ring_mean_, mean_};
     for (const unsigned i : {0u, 2u, 4u, 5u, 6u}) {
       int n, t;
       sizes(place_ - others[i], n, t);
@@ -448,7 +463,8 @@ class Model {
     int along, across;
     sizes(residual, along, across);
     const int shift = frame_.finer + coarser_;
-    const Vector r = clamp(shift >= 0 ? error >> shift : error * (std::int64_t(1) << -shift), 0x7fffffff);
+    const Vector r =
+        clamp(shift >= 0 ? error >> shift : error * (std::int64_t(1) << -shift), 0x7fffffff);
     for (unsigned i = 0; i < 3; ++i) {
       p.residual[i] = static_cast<std::int32_t>(r[i]);
       p.axis[i] = static_cast<std::int16_t>(size1(residual[i]));

@@ -45,7 +45,10 @@ class Shapes {
   static Place place(Vector a, Vector b, Vector normal, unsigned key) {
     const Vector edge = b - a;
     const std::uint64_t square = static_cast<std::uint64_t>(dot(edge >> 4, edge >> 4));
-    return {(a + b) >> 1, edge, cross(normal, edge) >> 14, std::max<std::int64_t>(static_cast<std::int64_t>(fixed::exp2(fixed::log2(square) / 2) >> 12), 1), key};
+    return {(a + b) >> 1, edge, cross(normal, edge) >> 14,
+            std::max<std::int64_t>(
+                static_cast<std::int64_t>(fixed::exp2(fixed::log2(square) / 2) >> 12), 1),
+            key};
   }
 
   bool knows(const Place& at) const { return shapes_[at.key].seen >= 2; }
