@@ -130,7 +130,7 @@ class Model {
   /// Where v is by the shapes of others.
   void find_shape(const Stars& stars, std::uint32_t v, const Star& star) {
     Vector sum;
-    int known = 0;
+    
     gates_ = std::min(star.parallelograms, most_gates);
     for (unsigned i = 0; i < gates_; ++i) {
       const Star::Parallelogram& p = star.parallelogram[i];
@@ -138,11 +138,9 @@ class Model {
       const unsigned key =
           Shapes::key(stars.degree(v), stars.degree(p.a), stars.degree(p.b), stars.degree(p.c));
       gate_[i] = Shapes::place(at(p.a), at(p.b), normal_, key);
-      if (!shapes_.knows(gate_[i])) continue;
-      ++known;
       sum += clamp(shapes_.predict(gate_[i], normal_), Frame::most);
     }
-    shape_ = known ? sum * part(static_cast<unsigned>(known)) >> 16 : mean_;
+    shape_ = sum * part(gates_) >> 16;
   }
 
   void set_normal(Vector n) {
@@ -184,19 +182,19 @@ class Model {
     f.set(0, ends_[0] - mean_);
     f.set(1, n > 1 ? ends_[1] - mean_ : Vector{});
     f.set(2, n > 2 ? ends_[2] - mean_ : Vector{});
-    f.set(3, ring_mean_ - mean_);
+    f.set(3, (ring_mean_ - mean_) * 2);
     f.set(4, middle_ - mean_);
-    f.set(5, lines_ - mean_);
-    f.set(6, line_a_ - mean_);
-    f.set(7, line_b_ - mean_);
-    f.set(8, shape_ - mean_);
+    f.set(5, (lines_ - mean_) * 2);
+    f.set(6, (line_a_ - mean_) * 2);
+    f.set(7, (line_b_ - mean_) * 2);
+    f.set(8, (shape_ - mean_) * 2);
     f.set(9, tip_ - mean_);
     f.set(10, residual(gate.a));
     f.set(11, residual(gate.b));
     f.set(12, residual(gate.c));
     f.set(13, around);
     f.set(14, across_from);
-    f.set(15, normal_ * 32);
+    f.set(15, normal_ * 8);
     corrected_ = mean_ + clamp(correction_.predict(class_, normal_), Frame::most);
 
     // Scales.

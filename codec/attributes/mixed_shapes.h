@@ -25,9 +25,9 @@ namespace clers::internal::mixed {
 ///          c
 class Shapes {
  public:
-  Shapes() : shapes_(std::size_t(degrees) * degrees * degrees * degrees) {}
+  Shapes() : shapes_(keys), of_degree_(degrees) {}
   static constexpr std::uint64_t memory() {
-    return std::uint64_t(degrees) * degrees * degrees * degrees * sizeof(Shape);
+    return std::uint64_t(keys + degrees) * sizeof(Shape);
   }
 
   /// Degrees of v, a, b, c.
@@ -51,25 +51,26 @@ class Shapes {
             key};
   }
 
-  bool knows(const Place& at) const { return shapes_[at.key].seen >= 2; }
-  /// Where v is by the average shape.
+  /// Where v is by the average shape: that of all with v's degree, if none had all four.
   Vector predict(const Place& at, Vector normal) const {
-    const Shape& s = shapes_[at.key];
+    const Shape& s = shapes_[at.key].seen ? shapes_[at.key] : of_degree_[degree(at.key)];
     return at.middle + (at.edge * s.x >> 14) + (at.across * s.y >> 14) +
            (normal * (s.z * at.length >> 14) >> 14);
   }
   void learn(const Place& at, Vector v, Vector normal) {
-    Shape& s = shapes_[at.key];
     const Vector d = v - at.middle;
-    const std::int64_t n = s.seen < most_seen ? ++s.seen : most_seen;
     // Along the sides, lengths over at.length.
     const std::int64_t square = std::max<std::int64_t>(at.length * at.length >> 14, 1);
-    const auto toward = [&](std::int32_t& mean, std::int64_t x) {
-      mean += static_cast<std::int32_t>((std::clamp(x, -most, most) - mean) / n);
-    };
-    toward(s.x, dot(d, at.edge) / square);
-    toward(s.y, dot(d, at.across) / square);
-    toward(s.z, dot(d, normal) / at.length);
+    const std::array<std::int64_t, 3> found = {dot(d, at.edge) / square, dot(d, at.across) / square,
+                                               dot(d, normal) / at.length};
+    Shape& s = shapes_[at.key];
+    Shape& of_degree = of_degree_[degree(at.key)];
+    if (s.seen == 0 && of_degree.seen != 0) {
+      s = of_degree;
+      s.seen = 1;
+    }
+    average(s, found);
+    average(of_degree, found);
   }
 
  private:
@@ -78,10 +79,22 @@ class Shapes {
     std::int32_t seen = 0;
   };
   static constexpr unsigned degrees = 8;  ///< 3 or less, .., 10 or more
-  static constexpr std::int32_t most_seen = 128;
+  static constexpr unsigned keys = degrees * degrees * degrees * degrees;
+  static constexpr std::int32_t most_seen = 64;
   static constexpr std::int64_t most = 1 << 17;
 
-  std::vector<Shape> shapes_;
+  static unsigned degree(unsigned key) { return key / (degrees * degrees * degrees); }
+  static void average(Shape& s, const std::array<std::int64_t, 3>& found) {
+    s.seen = std::min(s.seen + 1, most_seen);
+    const auto toward = [&](std::int32_t& mean, std::int64_t x) {
+      mean += (static_cast<std::int32_t>(std::clamp(x, -most, most)) - mean) / s.seen;
+    };
+    toward(s.x, found[0]);
+    toward(s.y, found[1]);
+    toward(s.z, found[2]);
+  }
+
+  std::vector<Shape> shapes_, of_degree_;
 };
 
 }  // namespace clers::internal::mixed
