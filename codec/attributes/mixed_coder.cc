@@ -20,14 +20,14 @@ std::string code_all(Coder& coder, const CodedSurface& surface, const Lattice<In
                      const std::optional<MirrorPlane>& plane, const Originals* originals) {
   Model<Int> model(surface, lattice, plane, originals);
   Star star;
+  const Stars stars(surface);
   std::uint32_t before = no_vertex;
   bool good = true;
   const auto code = [&](std::uint32_t v) {
-    good = good && model.code(coder, v, star, before);
+    good = good && model.code(coder, stars, v, star, before);
     before = v;
   };
   if (!surface.twins.empty()) {
-    const Stars stars(surface);
     for_each_by_parallelograms(surface, [&](HalfEdge h, const Visited& visited) {
       stars.find(h, visited, star);
       code(surface.corners[h.index()]);
@@ -58,8 +58,8 @@ Bytes encode_mixed(const CodedSurface& surface, const Lattice<Int>& lattice) {
   put_mirror(bytes, plane);
   put_u8(bytes, copies);
   put_bytes(bytes, encode_stream([&](EncodeTo& coder) {
-    code_all(coder, surface, lattice, plane, copies ? &originals : nullptr);
-  }));
+              code_all(coder, surface, lattice, plane, copies ? &originals : nullptr);
+            }));
   return bytes;
 }
 
@@ -71,7 +71,9 @@ Expected<Done> decode_mixed(std::span<const std::byte> bytes, std::uint64_t at,
   if (!plane.ok()) return Failure{plane.error()};
   const std::uint32_t copies = in.u8();
   if (!in.ok()) return Failure{in.error()};
-  if (copies > 1) return fail(ErrorCode::invalid, Place::byte, in.offset() - 1, "copies are neither followed nor not");
+  if (copies > 1)
+    return fail(ErrorCode::invalid, Place::byte, in.offset() - 1,
+                "copies are neither followed nor not");
   Originals originals;
   if (copies) originals = find_originals(surface);
   const Stream stream = {bytes.subspan(in.position()), in.offset()};
@@ -83,7 +85,7 @@ Expected<Done> decode_mixed(std::span<const std::byte> bytes, std::uint64_t at,
 std::uint64_t mixed_memory(std::uint64_t values, std::uint64_t triangles) {
   return values * sizeof(Past) + Stars::memory(values) + visit_order_memory(values) +
          Mirror<std::int64_t>::memory(values) + originals_memory(values, triangles) +
-         Copies<std::int64_t>::memory(values) + Mixing::memory();
+         Copies<std::int64_t>::memory(values) + Mixing::memory() + Shapes::memory();
 }
 
 template Bytes encode_mixed(const CodedSurface&, const Lattice<std::int32_t>&);

@@ -16,13 +16,13 @@ namespace clers::internal {
 template <class Int>
 Bytes encode_mixed(const CodedSurface& surface, const Lattice<Int>& lattice);
 
-/// Those integers again, into the rows of the lattice, from bytes at offset `at` in a file. Error:
-/// invalid.
+/// Those integers again, into the rows of the lattice, from bytes at offset `at` in a file. Errors:
+/// truncated, invalid.
 template <class Int>
 Expected<Done> decode_mixed(std::span<const std::byte> bytes, std::uint64_t at,
                             const CodedSurface& surface, const Lattice<Int>& lattice);
 
-/// Bytes that either of them allocates beside what it is given and returns.
+/// Bytes that decoding allocates beside what it is given.
 std::uint64_t mixed_memory(std::uint64_t values, std::uint64_t triangles);
 
 extern template Bytes encode_mixed(const CodedSurface&, const Lattice<std::int32_t>&);

@@ -76,7 +76,7 @@ class Correction {
  private:
   static constexpr int coarser = 9;  ///< features are in units of 2^9 of the frame's
   static constexpr std::int64_t most = 8191;
-  static constexpr std::uint32_t mu = 671089;  ///< .02 * 2^(28 + 6 - 9)
+  static constexpr std::uint32_t mu = 1342177;  ///< .04 * 2^(28 + 6 - 9)
   static constexpr std::uint32_t least_power = 1 << 16;
 
   alignas(16) std::array<std::int16_t, features> x_ = {}, y_ = {}, z_ = {}, n_ = {};

@@ -11,13 +11,14 @@
 
 #include "codec/attributes/copies.h"
 #include "codec/attributes/lattice.h"
+#include "codec/attributes/mirror.h"
 #include "codec/attributes/mixed_correction.h"
 #include "codec/attributes/mixed_covariance.h"
 #include "codec/attributes/mixed_decisions.h"
-#include "codec/attributes/mirror.h"
 #include "codec/attributes/mixed_guess.h"
 #include "codec/attributes/mixed_mixing.h"
 #include "codec/attributes/mixed_scales.h"
+#include "codec/attributes/mixed_shapes.h"
 #include "codec/attributes/mixed_space.h"
 #include "codec/attributes/mixed_star.h"
 #include "codec/attributes/vector.h"
@@ -52,12 +53,14 @@ class Model {
 
   /// Codes vertex v, about which the star is known; before: a vertex coded before, if there is any.
   template <class Coder>
-  bool code(Coder& coder, std::uint32_t v, const Star& star, std::uint32_t before) {
+  bool code(Coder& coder, const Stars& stars, std::uint32_t v, const Star& star,
+            std::uint32_t before) {
     partner_ = Mirror<Int>::nobody;
     if (star.parallelograms == 0) {
       if (!code_lonely(coder, v, star, before)) return false;
     } else {
       look(star);
+      find_shape(stars, v, star);
       predict(star);
       guess(v, star);
       if (!code_components(coder, v, star)) return false;
@@ -124,6 +127,22 @@ class Model {
     tip_ = side;
   }
 
+  /// Where v is by the shapes of others.
+  void find_shape(const Stars& stars, std::uint32_t v, const Star& star) {
+    Vector sum;
+    
+    gates_ = std::min(star.parallelograms, most_gates);
+    for (unsigned i = 0; i < gates_; ++i) {
+      const Star::Parallelogram& p = star.parallelogram[i];
+      const auto at = [&](std::uint32_t u) { return frame_.local(point(u) - frame_.origin); };
+      const unsigned key =
+          Shapes::key(stars.degree(v), stars.degree(p.a), stars.degree(p.b), stars.degree(p.c));
+      gate_[i] = Shapes::place(at(p.a), at(p.b), normal_, key);
+      sum += clamp(shapes_.predict(gate_[i], normal_), Frame::most);
+    }
+    shape_ = sum * part(gates_) >> 16;
+  }
+
   void set_normal(Vector n) {
     const std::int64_t size = largest(n);
     normal_ = {};
@@ -163,19 +182,19 @@ class Model {
     f.set(0, ends_[0] - mean_);
     f.set(1, n > 1 ? ends_[1] - mean_ : Vector{});
     f.set(2, n > 2 ? ends_[2] - mean_ : Vector{});
-    f.set(3, ring_mean_ - mean_);
+    f.set(3, (ring_mean_ - mean_) * 2);
     f.set(4, middle_ - mean_);
-    f.set(5, lines_ - mean_);
-    f.set(6, line_a_ - mean_);
-    f.set(7, line_b_ - mean_);
-    f.set(8, Vector{});
+    f.set(5, (lines_ - mean_) * 2);
+    f.set(6, (line_a_ - mean_) * 2);
+    f.set(7, (line_b_ - mean_) * 2);
+    f.set(8, (shape_ - mean_) * 2);
     f.set(9, tip_ - mean_);
     f.set(10, residual(gate.a));
     f.set(11, residual(gate.b));
     f.set(12, residual(gate.c));
     f.set(13, around);
     f.set(14, across_from);
-    f.set(15, normal_ * 32);
+    f.set(15, normal_ * 8);
     corrected_ = mean_ + clamp(correction_.predict(class_, normal_), Frame::most);
 
     // Scales.
@@ -256,14 +275,18 @@ class Model {
 
   /// Experts that know of other places.
   void guess(std::uint32_t v, const Star& star) {
-    present_ = 0x5f;
+    present_ = 0x7f;
+    copy_ = shape_;
+    copied_ = false;
     const Star::Parallelogram& gate = star.parallelogram[0];
     const int edge = edge_ - frame_.finer * 256;
-    const auto place = [&](const std::array<Int, 3>& row) { return frame_.local(space_.point(row.data()) - frame_.origin); };
+    const auto place = [&](const std::array<Int, 3>& row) {
+      return frame_.local(space_.point(row.data()) - frame_.origin);
+    };
     if (copies_) {
       std::array<Int, 3> row;
       if (copies_->guess(v, gate.a, gate.b, gate.c, row.data())) {
-        present_ |= 1 << 5;
+        copied_ = true;
         copy_ = place(row);
         const int expected = static_cast<int>(copies_->expected()) * 16 - 256;
         guess_[0]->predict(expected, least_size_, size(copy_ - corrected_), across_, edge);
@@ -271,14 +294,14 @@ class Model {
     }
     if (mirror_) {
       std::array<Int, 3> row;
-      for (std::size_t i = 0; i < 3; ++i)
-        row[i] = integer(i, corrected_[static_cast<unsigned>(i)]);
+      for (std::size_t i = 0; i < 3; ++i) row[i] = integer(i, corrected_[static_cast<unsigned>(i)]);
       partner_ = mirror_->guess(gate.a, gate.b, row.data());
       if (partner_ != Mirror<Int>::nobody) {
         present_ |= 1 << 7;
         for (std::size_t i = 0; i < 3; ++i) row[i] = mirror_->image(partner_, i);
         image_ = place(row);
-        image_[mirror_axis_] += frame_.finer >= 8 ? shift_ * (std::int64_t(1) << (frame_.finer - 8)) : shift_ >> (8 - frame_.finer);
+        image_[mirror_axis_] += frame_.finer >= 8 ? shift_ * (std::int64_t(1) << (frame_.finer - 8))
+                                                  : shift_ >> (8 - frame_.finer);
         const Vector a = mismatch(gate.a), b = mismatch(gate.b), d = image_ - corrected_;
         guess_[1]->predict(size1(a[mirror_axis_]), size1(b[mirror_axis_]), size1(d[mirror_axis_]),
                            across_, edge);
@@ -290,16 +313,20 @@ class Model {
   /// The integer on an axis that is at a place in the frame, within the axis.
   Int integer(std::size_t axis, std::int64_t place) const {
     const unsigned c = static_cast<unsigned>(axis);
-    const std::int64_t x = frame_.origin[c] + (frame_.finer >= 0 ? place >> frame_.finer : place * (std::int64_t(1) << -frame_.finer));
+    const std::int64_t x =
+        frame_.origin[c] +
+        (frame_.finer >= 0 ? place >> frame_.finer : place * (std::int64_t(1) << -frame_.finer));
     const std::int64_t k = x <= 0 ? 0 : space_.scale(c) == 1 ? x : x / space_.scale(c);
-    return static_cast<Int>(std::min(k, static_cast<std::int64_t>(axes_[axis].top) >> space_.drop()) << space_.drop());
+    return static_cast<Int>(std::min(k, static_cast<std::int64_t>(axes_[axis].top) >> space_.drop())
+                            << space_.drop());
   }
 
   /// From a vertex to the image of its partner.
   Vector mismatch(std::uint32_t v) const {
     const std::uint32_t w = mirror_->partner(v);
     if (w == Mirror<Int>::nobody) {
-      const auto usual = static_cast<std::int64_t>(fixed::exp2(std::clamp(across_ + frame_.finer * 256, 0, 28 * 256)) >> 16);
+      const auto usual = static_cast<std::int64_t>(
+          fixed::exp2(std::clamp(across_ + frame_.finer * 256, 0, 28 * 256)) >> 16);
       return {usual, usual, usual};
     }
     std::array<Int, 3> row;
@@ -318,7 +345,8 @@ class Model {
 
   template <class Coder>
   bool code_components(Coder& coder, std::uint32_t v, const Star& star) {
-    const Vector means[experts] = {mean_, corrected_, lines_, mean_, ends_[0], copy_, ring_mean_, image_};
+    const Vector means[experts] = {mean_,    corrected_, lines_,     mean_,
+                                   ends_[0], copy_,      ring_mean_, image_};
     std::int64_t missed[2][experts];
     Int* const row = rows_ + 3 * std::size_t(v);
     Context context;
@@ -336,7 +364,7 @@ class Model {
         int scale = common;
         if (i == 3) {
           scale = axis_[c];
-        } else if (i == 5 || i == 7) {
+        } else if ((i == 5 && copied_) || i == 7) {
           scale = guess_[i == 5 ? 0 : c == mirror_axis_ ? 1 : 2]->scale();
         } else {
           if (k == 1) o.mean += covariance_.second(missed[0][i]);
@@ -349,7 +377,7 @@ class Model {
       unsigned lead = opinions[3].scale + 128 < opinions[1].scale ? 3 : 1;
       context.mode = 0;
       for (const unsigned i : {5u, 7u}) {
-        if ((present_ >> i & 1) == 0) continue;
+        if (!(i == 5 ? copied_ : present_ >> 7 & 1)) continue;
         const bool leads = opinions[i].scale < opinions[lead].scale && !wrong;
         if (leads) lead = i;
         context.mode = i == 5 ? 1 : leads ? 3 : 2;
@@ -367,9 +395,11 @@ class Model {
           frame_.finer);
       if (k < 2) {
         for (const unsigned i : {5u, 7u}) {
-          if ((present_ >> i & 1) == 0) continue;
+          if (!(i == 5 ? copied_ : present_ >> 7 & 1)) continue;
           const std::int64_t off = place - opinions[i].mean;
-          wrong = wrong || size1(off) > std::max(guess_[i == 5 ? 0 : 2]->scale(), ruler.step() - frame_.finer * 256) + 512;
+          wrong = wrong || size1(off) > std::max(guess_[i == 5 ? 0 : 2]->scale(),
+                                                 ruler.step() - frame_.finer * 256) +
+                                            512;
         }
         for (unsigned i = 0; i < experts; ++i) missed[k][i] = place - means[i][c];
         const std::int64_t off = place - opinions[lead].mean;
@@ -393,19 +423,21 @@ class Model {
     const std::int64_t e0 = excess(along, along_), e1 = excess(across, across_);
     along_of_.learn(features_, inverse_power_, rate, e0);
     across_of_.learn(features_, inverse_power_, rate, e1);
-    if (present_ >> 5 & 1) guess_[0]->learn(size(place_ - copy_));
+    if (copied_) guess_[0]->learn(size(place_ - copy_));
     if (present_ >> 7 & 1) {
       const Vector off = place_ - image_;
       guess_[1]->learn(size1(off[mirror_axis_]));
       guess_[2]->learn(size(beside(off)));
       const std::int64_t o = off[mirror_axis_];
       const std::int64_t most = std::int64_t(256) * space_.scale(mirror_axis_);
-      const std::int64_t moved = frame_.finer >= 8 ? o >> (frame_.finer - 8) : o * (std::int64_t(1) << (8 - frame_.finer));
+      const std::int64_t moved =
+          frame_.finer >= 8 ? o >> (frame_.finer - 8) : o * (std::int64_t(1) << (8 - frame_.finer));
       shift_ += std::clamp(moved, -most, most) >> 5;
     }
+    for (unsigned i = 0; i < gates_; ++i) shapes_.learn(gate_[i], place_, normal_);
     const Vector others[experts] = {mean_,    corrected_, lines_,     mean_,
-                                    ends_[0], mean_,      ring_mean_, mean_};
-    for (const unsigned i : {0u, 2u, 4u, 6u}) {
+                                    ends_[0], shape_,     ring_mean_, mean_};
+    for (const unsigned i : {0u, 2u, 4u, 5u, 6u}) {
       int n, t;
       sizes(place_ - others[i], n, t);
       bias_[i] += static_cast<int>(
@@ -429,7 +461,8 @@ class Model {
     int along, across;
     sizes(residual, along, across);
     const int shift = frame_.finer + coarser_;
-    const Vector r = clamp(shift >= 0 ? error >> shift : error * (std::int64_t(1) << -shift), 0x7fffffff);
+    const Vector r =
+        clamp(shift >= 0 ? error >> shift : error * (std::int64_t(1) << -shift), 0x7fffffff);
     for (unsigned i = 0; i < 3; ++i) {
       p.residual[i] = static_cast<std::int32_t>(r[i]);
       p.axis[i] = static_cast<std::int16_t>(size1(residual[i]));
@@ -507,6 +540,12 @@ class Model {
   Vector copy_, image_;
   std::uint32_t partner_ = 0;
   unsigned present_ = 0;
+  bool copied_ = false;
+  static constexpr unsigned most_gates = 3;
+  unsigned gates_ = 0;
+  Shapes shapes_;
+  Shapes::Place gate_[most_gates];
+  Vector shape_;
   Correction correction_;
   Mixing mixing_;
 };

@@ -119,8 +119,9 @@ void does_no_harm(const Bytes& bytes, const CodedSurface& surface, std::span<con
   std::vector<Int> rows(3 * values);
   const auto done = decode_mixed(bytes, 7, surface, Lattice<Int>{rows, axes});
   if (!done.ok()) {
-    EXPECT_EQ(done.error().code, ErrorCode::invalid);
-    EXPECT_EQ(done.error().at, 7u);
+    EXPECT_TRUE(done.error().code == ErrorCode::invalid ||
+                (done.error().code == ErrorCode::truncated && bytes.size() < 12));
+    EXPECT_GE(done.error().at, 7u);
     return;
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -1,0 +1,102 @@
+// The shape of a vertex and the triangle it is across from, averaged over earlier ones whose four
+// vertices have the same degrees: on a surface of five triangles around a vertex they are wider
+// than on one of seven.
+#ifndef CLERS_CODEC_ATTRIBUTES_MIXED_SHAPES_H
+#define CLERS_CODEC_ATTRIBUTES_MIXED_SHAPES_H
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "codec/attributes/fixed_point.h"
+#include "codec/attributes/vector.h"
+
+namespace clers::internal::mixed {
+
+/// A shape is v less the middle of a and b, in coordinates along a-b, across it in the surface, and
+/// along the normal, over the length of a-b.
+///
+///          v
+///         / \         .
+///        a---b
+///         \ /
+///          c
+class Shapes {
+ public:
+  Shapes() : shapes_(keys), of_degree_(degrees) {}
+  static constexpr std::uint64_t memory() {
+    return std::uint64_t(keys + degrees) * sizeof(Shape);
+  }
+
+  /// Degrees of v, a, b, c.
+  static unsigned key(unsigned v, unsigned a, unsigned b, unsigned c) {
+    const auto rank = [](unsigned d) { return std::clamp(d, 3u, 3 + degrees - 1) - 3; };
+    return ((rank(v) * degrees + rank(a)) * degrees + rank(b)) * degrees + rank(c);
+  }
+
+  /// A side a-b in a frame, the normal (in units of 2^-14, or zero), and the key.
+  struct Place {
+    Vector middle, edge, across;
+    std::int64_t length = 1;
+    unsigned key = 0;
+  };
+  static Place place(Vector a, Vector b, Vector normal, unsigned key) {
+    const Vector edge = b - a;
+    const std::uint64_t square = static_cast<std::uint64_t>(dot(edge >> 4, edge >> 4));
+    return {(a + b) >> 1, edge, cross(normal, edge) >> 14,
+            std::max<std::int64_t>(
+                static_cast<std::int64_t>(fixed::exp2(fixed::log2(square) / 2) >> 12), 1),
+            key};
+  }
+
+  /// Where v is by the average shape: that of all with v's degree, if none had all four.
+  Vector predict(const Place& at, Vector normal) const {
+    const Shape& s = shapes_[at.key].seen ? shapes_[at.key] : of_degree_[degree(at.key)];
+    return at.middle + (at.edge * s.x >> 14) + (at.across * s.y >> 14) +
+           (normal * (s.z * at.length >> 14) >> 14);
+  }
+  void learn(const Place& at, Vector v, Vector normal) {
+    const Vector d = v - at.middle;
+    // Along the sides, lengths over at.length.
+    const std::int64_t square = std::max<std::int64_t>(at.length * at.length >> 14, 1);
+    const std::array<std::int64_t, 3> found = {dot(d, at.edge) / square, dot(d, at.across) / square,
+                                               dot(d, normal) / at.length};
+    Shape& s = shapes_[at.key];
+    Shape& of_degree = of_degree_[degree(at.key)];
+    if (s.seen == 0 && of_degree.seen != 0) {
+      s = of_degree;
+      s.seen = 1;
+    }
+    average(s, found);
+    average(of_degree, found);
+  }
+
+ private:
+  struct Shape {
+    std::int32_t x = 0, y = 0, z = 0;  ///< in units of 2^-14
+    std::int32_t seen = 0;
+  };
+  static constexpr unsigned degrees = 8;  ///< 3 or less, .., 10 or more
+  static constexpr unsigned keys = degrees * degrees * degrees * degrees;
+  static constexpr std::int32_t most_seen = 64;
+  static constexpr std::int64_t most = 1 << 17;
+
+  static unsigned degree(unsigned key) { return key / (degrees * degrees * degrees); }
+  static void average(Shape& s, const std::array<std::int64_t, 3>& found) {
+    s.seen = std::min(s.seen + 1, most_seen);
+    const auto toward = [&](std::int32_t& mean, std::int64_t x) {
+      mean += (static_cast<std::int32_t>(std::clamp(x, -most, most)) - mean) / s.seen;
+    };
+    toward(s.x, found[0]);
+    toward(s.y, found[1]);
+    toward(s.z, found[2]);
+  }
+
+  std::vector<Shape> shapes_, of_degree_;
+};
+
+}  // namespace clers::internal::mixed
+
+#endif
