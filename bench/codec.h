@@ -14,15 +14,16 @@
 
 namespace clers::bench {
 
-/// What is coded. q<b>: positions on one cubic grid, its side the longest side of the bounding box,
-/// 2^b - 1 steps, nearest (Draco's -qp b).
-enum class Mode { connectivity, q11, q14, q16, lossless };
+/// What is coded. connectivity: triangles alone. q<b>: triangles and positions, on one cubic grid,
+/// its side the longest side of the bounding box, 2^b - 1 steps, nearest (Draco's -qp b). lossless:
+/// triangles and the bits of float positions. file: all that a mesh file holds.
+enum class Mode { connectivity, q11, q14, q16, lossless, file };
 
-inline constexpr Mode all_modes[] = {Mode::connectivity, Mode::q11, Mode::q14, Mode::q16,
-                                     Mode::lossless};
+inline constexpr Mode all_modes[] = {Mode::connectivity, Mode::q11,      Mode::q14,
+                                     Mode::q16,          Mode::lossless, Mode::file};
 
 constexpr const char* name(Mode mode) {
-  constexpr const char* names[] = {"connectivity", "q11", "q14", "q16", "lossless"};
+  constexpr const char* names[] = {"connectivity", "q11", "q14", "q16", "lossless", "file"};
   return names[static_cast<int>(mode)];
 }
 
@@ -41,6 +42,7 @@ struct Output {
   std::vector<std::uint32_t> triangles;  ///< corners, indices of the output's vertices
   std::vector<std::uint32_t> origin;     ///< origin[v]: the input's vertex that v is said to be
   std::vector<float> positions;          ///< 3 for each vertex; empty in mode connectivity
+  std::vector<Mesh> meshes;              ///< in mode file, instead of the others
 };
 
 /// A codec at work on one mesh in one mode. Every member may throw std::exception.
@@ -57,6 +59,9 @@ class Codec {
   /// Size of what encode() made.
   virtual std::size_t bytes() const = 0;
 
+  /// Of these, what the positions take; 0 if it is not known.
+  virtual std::size_t position_bytes() const { return 0; }
+
   /// Timed. Decodes what encode() made and keeps the result.
   virtual void decode() = 0;
 
@@ -72,6 +77,7 @@ struct CodecEntry {
   std::string name;
   std::vector<Mode> modes;
   std::function<std::unique_ptr<Codec>()> make;
+  bool timed = true;  ///< false: it works in another process, so that only bytes can be compared
 };
 
 }  // namespace clers::bench

@@ -1,11 +1,14 @@
-// compare: size and speed of clers beside Draco, meshoptimizer, OpenCTM and zstd.
+// compare: size and speed of clers beside Draco, meshoptimizer, OpenCTM, fpzip, zstd and xz.
+#include <sys/resource.h>
 #include <sys/utsname.h>
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <iterator>
 #include <span>
@@ -17,9 +20,12 @@
 #include "bench/result.h"
 #include "bench/rivals/draco.h"
 #include "bench/rivals/draco_debian.h"
+#include "bench/rivals/fpzip.h"
+#include "bench/rivals/general.h"
 #include "bench/rivals/meshopt.h"
+#include "bench/rivals/meshopt_npm.h"
 #include "bench/rivals/openctm.h"
-#include "bench/rivals/zstd.h"
+#include "bench/schedule.h"
 
 namespace clers::bench {
 namespace {
@@ -30,14 +36,17 @@ constexpr char usage[] =
 Measures size, speed, memory and fidelity of mesh codecs, one thread, taking turns.
 Without a mesh: the folder $CLERS_CORPUS, else what scripts/fetch-corpus brought.
 
-  --modes LIST      of connectivity, q11, q14, q16, lossless (default: all)
+  --modes LIST      of connectivity, q11, q14, q16, lossless, file (default: all)
   --codecs LIST     names or beginnings of names: clers, draco, draco-cl7, ... (default: all)
   --filter TEXT     only meshes whose name contains TEXT
   --group NAME      only meshes of this group of the means: manifold, "not manifold", ...
   --repeats N       samples of each encode and decode (default 60)
   --min-time S      seconds a sample lasts at least; short runs are repeated (default 0.00002)
   --budget S        seconds for one codec's encodes or decodes of one mesh; slow ones get
-                    fewer samples, three at least (default 1)
+                    fewer samples, three at least; of what takes longer once, the first run
+                    is the only one (default 1)
+  --minutes M       that all may take: makes the budget smaller where it must; the first runs
+                    of all codecs on all meshes are never left out
   --passes N        the samples are taken in N passes over all meshes (default 3)
   --timeout S       seconds of CPU time for a codec's first run (default 120)
   --json FILE       the results
@@ -52,6 +61,7 @@ struct Arguments {
   std::string filter, group, json, html, scaling, from;
   Sampling sampling;
   int passes = 3;
+  double minutes = 0;  // 0: any time
   unsigned timeout = 120;
 };
 
@@ -71,6 +81,13 @@ Mode mode_of(const std::string& text) {
   for (const Mode mode : all_modes)
     if (text == name(mode)) return mode;
   fail_usage("no such mode: " + text);
+}
+
+bool is_group(const std::string& group) {
+  return std::any_of(std::begin(all_modes), std::end(all_modes), [&](Mode mode) {
+    const std::vector<std::string> names = group_names(mode);
+    return std::find(names.begin(), names.end(), group) != names.end();
+  });
 }
 
 double number(const std::string& text) {
@@ -115,15 +132,15 @@ Arguments parse(int argc, char** argv) {
       a.filter = value();
     } else if (option == "--group") {
       a.group = value();
-      if (std::find(std::begin(group_names), std::end(group_names), a.group) ==
-          std::end(group_names))
-        fail_usage("no such group: " + a.group);
+      if (!is_group(a.group)) fail_usage("no such group: " + a.group);
     } else if (option == "--repeats") {
       a.sampling.repeats = std::max(1, static_cast<int>(number(value())));
     } else if (option == "--min-time") {
       a.sampling.min_sample = number(value());
     } else if (option == "--budget") {
       a.sampling.budget = number(value());
+    } else if (option == "--minutes") {
+      a.minutes = number(value());
     } else if (option == "--passes") {
       a.passes = std::max(1, static_cast<int>(number(value())));
     } else if (option == "--timeout") {
@@ -148,8 +165,9 @@ Arguments parse(int argc, char** argv) {
 
 std::vector<CodecEntry> all_codecs() {
   std::vector<CodecEntry> all;
-  for (std::vector<CodecEntry> some : {clers_codecs(), draco_codecs(), draco_debian_codecs(),
-                                       meshopt_codecs(), openctm_codecs(), zstd_codecs()})
+  for (std::vector<CodecEntry> some :
+       {clers_codecs(), draco_codecs(), draco_debian_codecs(), meshopt_codecs(),
+        meshopt_npm_codecs(), openctm_codecs(), fpzip_codecs(), general_codecs()})
     all.insert(all.end(), std::make_move_iterator(some.begin()),
                std::make_move_iterator(some.end()));
   return all;
@@ -184,8 +202,11 @@ Setting setting(const Arguments& arguments) {
                 {"draco", draco_version() + " (" CLERS_BENCH_DRACO_BUILD ")"},
                 {"draco-debian", draco_debian_version()},
                 {"meshoptimizer", meshopt_version()},
+                {"meshoptimizer-npm", meshopt_npm_version()},
                 {"openctm", openctm_version()},
-                {"zstd", zstd_version()}};
+                {"fpzip", fpzip_version()},
+                {"zstd", zstd_version()},
+                {"xz", xz_version()}};
   s.passes = arguments.passes;
   s.sampling = arguments.sampling;
   return s;
@@ -208,6 +229,7 @@ Result about(const Input& input, unsigned timeout) {
   r.vertices = input.vertex_count;
   r.manifold = input.manifold;
   r.fanned = input.fanned;
+  r.corner_values = input.has_corner_values();
   r.draco_connectivity = draco_connectivity(input, timeout);
   return r;
 }
@@ -221,20 +243,22 @@ std::vector<Result> first_runs(const Input& input, Mode mode, const Result& mesh
     Result r = mesh;
     r.codec = entry.name;
     r.mode = mode;
+    r.timed = entry.timed;
     r.trial = try_codec(entry, input, mode, timeout);
     rows.push_back(std::move(r));
   }
+  if (!rows.empty()) rows.push_back(least_of(rows));
   return rows;
 }
 
-// Times what did not fail.
+// Times what did not fail and is not too slow.
 void take_samples(const Input& input, const std::vector<CodecEntry>& entries,
                   const Sampling& sampling, std::span<Result> rows) {
   std::vector<std::unique_ptr<Codec>> codecs;
   std::vector<Task> encodes, decodes;
   std::vector<Result*> timed;
   for (Result& row : rows) {
-    if (row.failed()) continue;
+    if (row.failed() || !row.timed || !is_sampled(row.trial, sampling)) continue;
     const auto entry = std::find_if(entries.begin(), entries.end(),
                                     [&](const CodecEntry& e) { return e.name == row.codec; });
     codecs.push_back(entry->make());
@@ -251,6 +275,14 @@ void take_samples(const Input& input, const std::vector<CodecEntry>& entries,
     r.encode_samples.insert(r.encode_samples.end(), encode[i].begin(), encode[i].end());
     r.decode_samples.insert(r.decode_samples.end(), decode[i].begin(), decode[i].end());
   }
+}
+
+// What was not sampled has its first run.
+void sum_up(Result& r) {
+  if (r.encode_samples.empty()) r.encode_samples = {r.trial.encode_seconds};
+  if (r.decode_samples.empty()) r.decode_samples = {r.trial.decode_seconds};
+  r.encode = summary(r.encode_samples);
+  r.decode = summary(r.decode_samples);
 }
 
 std::string read_text(const std::string& file) {
@@ -272,36 +304,89 @@ struct Work {
   bool left_out = false;
 };
 
-// One pass over a file; the first makes the results. Prints when there are no more to come.
-void measure(Work& work, bool first, bool last, const std::vector<CodecEntry>& entries,
-             const Setting& setting, const Arguments& arguments) {
-  Sampling sampling = setting.sampling;
-  sampling.repeats = (sampling.repeats + setting.passes - 1) / setting.passes;
-  sampling.least = (sampling.least + setting.passes - 1) / setting.passes;
-  sampling.budget /= setting.passes;
+// The first runs of all codecs on a file, in each mode.
+void try_all(Work& work, const std::vector<CodecEntry>& entries, const Arguments& arguments) {
   const Input input = read_input(work.file);
-  if (first) {
-    const Result mesh = about(input, arguments.timeout);
-    if (!arguments.group.empty() && !in_group(mesh, arguments.group)) {
-      work.left_out = true;
-      return;
-    }
-    for (const Mode mode : arguments.modes)
+  Result mesh = about(input, arguments.timeout);
+  for (const Mode mode : arguments.modes) {
+    mesh.mode = mode;
+    if (arguments.group.empty() || in_group(mesh, arguments.group))
       work.modes.push_back(first_runs(input, mode, mesh, entries, arguments.timeout));
   }
+}
+
+// One pass over a file. Prints its rows when there are no more samples to come.
+void sample_all(Work& work, bool last, const std::vector<CodecEntry>& entries,
+                const Sampling& sampling, const Setting& setting) {
+  const Input input = read_input(work.file);
   for (std::vector<Result>& rows : work.modes) {
     take_samples(input, entries, sampling, rows);
     if (!last) continue;
-    for (Result& r : rows) {
-      if (r.failed()) continue;
-      r.encode = summary(r.encode_samples);
-      r.decode = summary(r.decode_samples);
-    }
+    for (Result& r : rows)
+      if (!r.failed() && r.timed) sum_up(r);
     print_rows(std::cout, setting, rows);
   }
 }
 
+std::vector<const Trial*> timed_trials(const std::vector<Work>& works) {
+  std::vector<const Trial*> trials;
+  for (const Work& work : works)
+    for (const std::vector<Result>& rows : work.modes)
+      for (const Result& r : rows)
+        if (!r.failed() && r.timed) trials.push_back(&r.trial);
+  return trials;
+}
+
+// Runs `work` on each file that was not left out; what it cannot do is left out from then on.
+void for_each_file(std::vector<Work>& works, const std::string& what,
+                   const std::function<void(Work&)>& work) {
+  std::size_t count = 0;
+  for (Work& w : works) {
+    ++count;
+    if (w.left_out) continue;
+    std::cerr << "[" << what << ", mesh " << count << "/" << works.size() << "] "
+              << w.file.filename().string() << "\n";
+    try {
+      work(w);
+    } catch (const std::exception& e) {
+      std::cerr << "compare: " << w.file.string() << " left out: " << e.what() << "\n";
+      w = {w.file, {}, true};
+    }
+  }
+}
+
+// How long it has been, and what share of it was ours: others may use the processor too.
+class Watch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+  double share() const {
+    double used = 0;
+    for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+      rusage spent{};
+      getrusage(who, &spent);
+      used += double(spent.ru_utime.tv_sec + spent.ru_stime.tv_sec) +
+              1e-6 * double(spent.ru_utime.tv_usec + spent.ru_stime.tv_usec);
+    }
+    return std::min(1.0, used / seconds());
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+// The samples of one pass.
+Sampling of_one_pass(const Sampling& all, int passes) {
+  Sampling one = all;
+  one.repeats = (all.repeats + passes - 1) / passes;
+  one.least = (all.least + passes - 1) / passes;
+  one.budget /= passes;
+  return one;
+}
+
 std::vector<Result> measure_all(const Setting& setting, const Arguments& arguments) {
+  const Watch watch;
   keep_heap_warm();
   std::vector<CodecEntry> entries;
   for (CodecEntry& entry : all_codecs())
@@ -311,20 +396,17 @@ std::vector<Result> measure_all(const Setting& setting, const Arguments& argumen
   std::vector<Work> works;
   for (const auto& file : list_files(arguments.meshes))
     if (file.string().find(arguments.filter) != std::string::npos) works.push_back({file, {}});
-  for (int pass = 0; pass < setting.passes; ++pass) {
-    std::size_t count = 0;
-    for (Work& work : works) {
-      ++count;
-      if (work.left_out) continue;
-      std::cerr << "[pass " << pass + 1 << "/" << setting.passes << ", mesh " << count << "/"
-                << works.size() << "] " << work.file.filename().string() << "\n";
-      try {
-        measure(work, pass == 0, pass + 1 == setting.passes, entries, setting, arguments);
-      } catch (const std::exception& e) {
-        std::cerr << "compare: " << work.file.string() << " left out: " << e.what() << "\n";
-        work = {work.file, {}, true};
-      }
+  for_each_file(works, "first runs", [&](Work& work) { try_all(work, entries, arguments); });
+  for (int pass = 1; pass <= setting.passes; ++pass) {
+    Sampling sampling = of_one_pass(setting.sampling, setting.passes);
+    if (arguments.minutes > 0) {
+      const double left = 60 * arguments.minutes - watch.seconds();
+      sampling =
+          fitted(sampling, timed_trials(works), watch.share() * left / (setting.passes - pass + 1));
     }
+    for_each_file(
+        works, "pass " + std::to_string(pass) + "/" + std::to_string(setting.passes),
+        [&](Work& work) { sample_all(work, pass == setting.passes, entries, sampling, setting); });
   }
   std::vector<Result> results;
   for (Work& work : works)

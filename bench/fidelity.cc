@@ -6,6 +6,8 @@
 #include <cstring>
 #include <limits>
 
+#include "codec/compare.h"
+
 namespace clers::bench {
 namespace {
 
@@ -75,9 +77,21 @@ std::uint64_t positions_off(const Input& input, const Output& output, Mode mode)
   return off;
 }
 
+// Bit for bit, polygons and all attributes, up to the order of vertices and faces.
+Fidelity check_file(const std::vector<Mesh>& before, const std::vector<Mesh>& after) {
+  if (before.size() != after.size()) throw CodecFailure("gives another number of meshes");
+  for (std::size_t m = 0; m < before.size(); ++m) {
+    const auto compared = compare(before[m], after[m]);
+    if (!compared) throw CodecFailure(describe(compared.error()));
+    if (compared->verdict != Verdict::same) throw CodecFailure("other values: " + compared->what);
+  }
+  return {};
+}
+
 }  // namespace
 
 Fidelity check(const Input& input, const Output& output, Mode mode) {
+  if (mode == Mode::file) return check_file(input.file.meshes, output.meshes);
   std::vector<std::uint32_t> copies(input.vertex_count, 0);
   for (const std::uint32_t v : output.origin) {
     if (v >= input.vertex_count) throw CodecFailure("gives a vertex that was not in the input");
@@ -109,6 +123,23 @@ Grid grid_of(const Input& input, int bits) {
   if (grid.side == 0) grid.side = 1;
   grid.step = grid.side / static_cast<float>((1 << bits) - 1);
   return grid;
+}
+
+std::vector<std::uint16_t> on_grid(const std::vector<float>& positions, const Grid& grid) {
+  std::vector<std::uint16_t> numbers(positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const float at = std::floor((positions[i] - grid.origin[i % 3]) / grid.step + 0.5f);
+    if (!(at >= 0 && at <= 65535)) throw CodecFailure("is not finite: no grid holds it");
+    numbers[i] = static_cast<std::uint16_t>(at);
+  }
+  return numbers;
+}
+
+std::vector<float> off_grid(const std::vector<std::uint16_t>& numbers, const Grid& grid) {
+  std::vector<float> positions(numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    positions[i] = grid.origin[i % 3] + static_cast<float>(numbers[i]) * grid.step;
+  return positions;
 }
 
 }  // namespace clers::bench

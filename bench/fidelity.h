@@ -10,7 +10,8 @@
 namespace clers::bench {
 
 /// Counted under the renumbering of vertices that the codec claims. Triangles are the same if they
-/// have the same vertices in the same cyclic order.
+/// have the same vertices in the same cyclic order. In mode file all is zero: what is not the same
+/// bit for bit has failed.
 struct Fidelity {
   std::uint64_t triangles_lost = 0;   ///< in the input, not in the output
   std::uint64_t triangles_added = 0;  ///< in the output, not in the input
@@ -32,6 +33,10 @@ struct Grid {
   float step;
 };
 Grid grid_of(const Input& input, int bits);
+
+/// Positions on a grid of at most 16 bits, for those who do not quantise themselves, and back.
+std::vector<std::uint16_t> on_grid(const std::vector<float>& positions, const Grid& grid);
+std::vector<float> off_grid(const std::vector<std::uint16_t>& numbers, const Grid& grid);
 
 }  // namespace clers::bench
 

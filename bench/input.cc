@@ -9,8 +9,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "codec/io/io.h"
-
 namespace clers::bench {
 namespace {
 
@@ -83,6 +81,13 @@ std::string extension(const fs::path& file) {
 
 }  // namespace
 
+bool Input::has_corner_values() const {
+  for (const Mesh& m : file.meshes)
+    for (const Attribute& a : m.attributes)
+      if (a.domain == Domain::corner) return true;
+  return false;
+}
+
 bool is_oriented_manifold(std::uint32_t vertex_count, const std::vector<std::uint32_t>& triangles) {
   // Half-edges sorted by (from, to): twins are found by looking the reverse up.
   struct HalfEdge {
@@ -148,7 +153,7 @@ Input make_input(std::string name, std::uint32_t vertex_count, std::vector<std::
 Input read_input(const fs::path& file) {
   const auto format = io::format_of(extension(file));
   if (!format) throw std::runtime_error("is in a format that is not read");
-  const std::vector<std::byte> bytes = read_bytes(file);
+  std::vector<std::byte> bytes = read_bytes(file);
   auto read = io::read(bytes, *format);
   if (!read) throw std::runtime_error(describe(read.error()));
 
@@ -163,6 +168,7 @@ Input read_input(const fs::path& file) {
       make_input(stem(file), raw.vertex_count, std::move(raw.triangles), std::move(raw.positions));
   input.fanned = raw.fanned;
   input.manifold = is_oriented_manifold(input.vertex_count, input.triangles);
+  input.file = {std::move(bytes), *format, std::move(read->meshes)};
   return input;
 }
 

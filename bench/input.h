@@ -7,13 +7,21 @@
 #include <string>
 #include <vector>
 
+#include "codec/io/io.h"
 #include "codec/mesh.h"
 
 namespace clers::bench {
 
+/// A mesh file. Polygons, further attributes and doubles, which the rivals do not know, are in it
+/// alone.
+struct InputFile {
+  std::vector<std::byte> bytes;  ///< unpacked
+  io::Format format = io::Format::ply;
+  std::vector<Mesh> meshes;
+};
+
 /// A mesh as the codecs get it: triangles with float positions and nothing else. Polygons are
-/// fanned from their first corner, the meshes of a file are put together, since the rivals know
-/// neither.
+/// fanned from their first corner, the meshes of a file are put together.
 struct Input {
   std::string name;    ///< file name without extension
   std::string family;  ///< class of the mesh: the first word of the name, less "many-"
@@ -23,8 +31,11 @@ struct Input {
   Mesh mesh;                             ///< the same for clers
   bool fanned = false;                   ///< polygons were cut into triangles
   bool manifold = false;  ///< an oriented manifold: Edgebreaker needs neither cut nor drop a face
+  InputFile file;         ///< what it was read from
 
   std::size_t triangle_count() const { return triangles.size() / 3; }
+  /// Does the file hold values of corners?
+  bool has_corner_values() const;
 };
 
 /// Makes an input of triangles. What only a file tells stays unset, and so does `manifold`.

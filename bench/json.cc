@@ -32,6 +32,7 @@ void write_result(std::ostream& out, const Result& r) {
       << "\", \"triangles\": " << r.triangles << ", \"vertices\": " << r.vertices
       << ", \"manifold\": " << (r.manifold ? "true" : "false")
       << ", \"fanned\": " << (r.fanned ? "true" : "false")
+      << ", \"corner_values\": " << (r.corner_values ? "true" : "false")
       << ", \"draco_connectivity_bytes\": " << r.draco_connectivity << ", \"groups\": [";
   const char* separator = "";
   for (const std::string& group : groups_of(r)) {
@@ -39,32 +40,40 @@ void write_result(std::ostream& out, const Result& r) {
     separator = ", ";
   }
   out << "]";
-  if (r.failed()) {
-    out << ", \"failed\": " << Quoted{r.trial.failure}
-        << ", \"bytes\": null, \"bits_per_triangle\": null, \"bits_per_vertex\": null, "
-           "\"encode_mtri_s\": null, \"decode_mtri_s\": null, \"peak_bytes_per_triangle\": null, "
-           "\"same_mesh\": false}";
-    return;
-  }
+  // What is not known is null, so that every result has every key.
+  const auto put = [&](const char* key, bool known, auto value) {
+    out << ", \"" << key << "\": ";
+    if (known) {
+      out << value;
+    } else {
+      out << "null";
+    }
+  };
+  const bool done = !r.failed(), timed = done && r.timed;
   const double n = static_cast<double>(r.triangles);
-  out << ", \"bytes\": " << r.trial.bytes << ", \"bits_per_triangle\": " << r.bits_per_triangle()
-      << ", \"bits_per_vertex\": " << r.bits_per_vertex()
-      << ", \"encode_mtri_s\": " << r.encode_mtri_s()
-      << ", \"decode_mtri_s\": " << r.decode_mtri_s()
-      << ", \"encode_mtri_s_median\": " << 1e-6 * n / r.encode.median
-      << ", \"decode_mtri_s_median\": " << 1e-6 * n / r.decode.median
-      << ", \"encode_mtri_s_best\": " << 1e-6 * n / r.encode.best
-      << ", \"decode_mtri_s_best\": " << 1e-6 * n / r.decode.best
-      << ", \"encode_samples\": " << r.encode.samples
-      << ", \"decode_samples\": " << r.decode.samples
-      << ", \"peak_bytes_per_triangle\": " << r.peak_bytes_per_triangle()
-      << ", \"encode_peak_bytes_per_triangle\": " << double(r.trial.encode_peak) / n
-      << ", \"decode_peak_bytes_per_triangle\": " << double(r.trial.decode_peak) / n
-      << ", \"same_mesh\": " << (f.same() ? "true" : "false")
-      << ", \"triangles_lost\": " << f.triangles_lost
-      << ", \"triangles_added\": " << f.triangles_added
-      << ", \"vertices_lost\": " << f.vertices_lost << ", \"vertices_added\": " << f.vertices_added
-      << ", \"positions_off\": " << f.positions_off << "}";
+  if (!done) out << ", \"failed\": " << Quoted{r.trial.failure};
+  put("bytes", done, r.trial.bytes);
+  put("position_bytes", done && r.trial.position_bytes, r.trial.position_bytes);
+  put("bits_per_triangle", done, r.bits_per_triangle());
+  put("bits_per_vertex", done, r.bits_per_vertex());
+  put("encode_mtri_s", timed, r.encode_mtri_s());
+  put("decode_mtri_s", timed, r.decode_mtri_s());
+  put("encode_mtri_s_median", timed, 1e-6 * n / r.encode.median);
+  put("decode_mtri_s_median", timed, 1e-6 * n / r.decode.median);
+  put("encode_mtri_s_best", timed, 1e-6 * n / r.encode.best);
+  put("decode_mtri_s_best", timed, 1e-6 * n / r.decode.best);
+  put("encode_samples", timed, r.encode.samples);
+  put("decode_samples", timed, r.decode.samples);
+  put("peak_bytes_per_triangle", timed, r.peak_bytes_per_triangle());
+  put("encode_peak_bytes_per_triangle", timed, double(r.trial.encode_peak) / n);
+  put("decode_peak_bytes_per_triangle", timed, double(r.trial.decode_peak) / n);
+  put("same_mesh", true, done && f.same() ? "true" : "false");
+  put("triangles_lost", done, f.triangles_lost);
+  put("triangles_added", done, f.triangles_added);
+  put("vertices_lost", done, f.vertices_lost);
+  put("vertices_added", done, f.vertices_added);
+  put("positions_off", done, f.positions_off);
+  out << "}";
 }
 
 }  // namespace

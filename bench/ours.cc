@@ -3,6 +3,8 @@
 #include "bench/ours.h"
 
 #include <cstring>
+#include <iterator>
+#include <string>
 
 #include "codec/decode.h"
 #include "codec/encode.h"
@@ -16,8 +18,11 @@ class Clers : public Codec {
 
   void prepare(const Input& input, Mode mode) override {
     mode_ = mode;
-    mesh_ = {input.mesh};
+    mesh_ = mode == Mode::file ? input.file.meshes : std::vector<Mesh>{input.mesh};
     if (mode == Mode::connectivity) mesh_[0].attributes.clear();
+    options_.precisions.clear();
+    if (const int b = bits(mode))
+      options_.precisions = {{std::string(position_name), Precision::of_bits(b), {}}};
   }
 
   void encode() override {
@@ -31,6 +36,12 @@ class Clers : public Codec {
                : encoded_.bytes.size();
   }
 
+  std::size_t position_bytes() const override {
+    std::size_t sum = 0;
+    for (const MeshInfo& info : encoded_.report) sum += info.position_bytes;
+    return sum;
+  }
+
   void decode() override {
     auto decoded = clers::decode(encoded_.bytes);
     if (!decoded) throw CodecFailure(describe(decoded.error()));
@@ -39,8 +50,12 @@ class Clers : public Codec {
   void discard() override { decoded_.clear(); }
 
   Output output() override {
-    const Mesh& mesh = decoded_.at(0);
     Output out;
+    if (mode_ == Mode::file) {
+      out.meshes = decoded_;
+      return out;
+    }
+    const Mesh& mesh = decoded_.at(0);
     out.triangles = mesh.corners;
     out.origin = encoded_.permutations.at(0).vertices;
     if (const Attribute* position = mesh.position()) {
@@ -60,12 +75,13 @@ class Clers : public Codec {
 }  // namespace
 
 std::vector<CodecEntry> clers_codecs() {
-  // No q modes yet: the encoder has no grid to offer.
   std::vector<CodecEntry> entries;
-  for (const int level : {1, 3, 5, 9})
-    entries.push_back({"clers-" + std::to_string(level),
-                       {Mode::connectivity, Mode::lossless},
+  for (const int level : {1, 3, 5, 7, 9}) {
+    std::vector<Mode> modes(std::begin(all_modes), std::end(all_modes));
+    if (level == 7) modes.erase(modes.begin());  // its connectivity is that of level 5
+    entries.push_back({"clers-" + std::to_string(level), std::move(modes),
                        [level] { return std::make_unique<Clers>(level); }});
+  }
   return entries;
 }
 

@@ -9,7 +9,7 @@
 
 namespace clers::bench {
 
-/// clers-1, clers-3, clers-5, clers-9.
+/// clers-1, clers-3, clers-5, clers-7, clers-9.
 std::vector<CodecEntry> clers_codecs();
 
 }  // namespace clers::bench

@@ -4,11 +4,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 
 #include "bench/heap.h"
+#include "bench/timing.h"
 
 namespace clers::bench {
 namespace {
@@ -16,7 +18,8 @@ namespace {
 // Trivially copyable: it crosses a pipe.
 struct Report {
   char failure[240];
-  std::uint64_t bytes, encode_peak, decode_peak;
+  std::uint64_t bytes, position_bytes, encode_peak, decode_peak;
+  double encode_seconds, decode_seconds;
   Fidelity fidelity;
 };
 
@@ -25,14 +28,25 @@ Report run(const CodecEntry& entry, const Input& input, Mode mode) {
   try {
     const auto codec = entry.make();
     codec->prepare(input, mode);
-    start_counting_heap();
-    codec->encode();
-    report.encode_peak = stop_counting_heap();
+    const auto seconds = [](const auto& work, std::uint64_t& peak) {
+      start_counting_heap();
+      const double start = thread_seconds();
+      work();
+      const double taken = thread_seconds() - start;
+      peak = stop_counting_heap();
+      return taken;
+    };
+    report.encode_seconds = seconds([&] { codec->encode(); }, report.encode_peak);
     report.bytes = codec->bytes();
-    start_counting_heap();
-    codec->decode();
-    report.decode_peak = stop_counting_heap();
+    report.position_bytes = codec->position_bytes();
+    report.decode_seconds = seconds([&] { codec->decode(); }, report.decode_peak);
     report.fidelity = check(input, codec->output(), mode);
+    codec->discard();
+    // Once more, since the first had to fetch its memory: an encoder that is too slow to be sampled
+    // should not make its decoder look slow.
+    std::uint64_t peak = 0;
+    report.decode_seconds =
+        std::min(report.decode_seconds, seconds([&] { codec->decode(); }, peak));
   } catch (const std::exception& e) {
     stop_counting_heap();
     std::snprintf(report.failure, sizeof report.failure, "%s", *e.what() ? e.what() : "failed");
@@ -80,6 +94,9 @@ Trial try_codec(const CodecEntry& entry, const Input& input, Mode mode, unsigned
   }
   trial.failure = report.failure;
   trial.bytes = report.bytes;
+  trial.position_bytes = report.position_bytes;
+  trial.encode_seconds = report.encode_seconds;
+  trial.decode_seconds = report.decode_seconds;
   trial.encode_peak = report.encode_peak;
   trial.decode_peak = report.decode_peak;
   trial.fidelity = report.fidelity;

@@ -14,7 +14,8 @@ namespace clers::bench {
 /// What need not be repeated, since it is the same every time.
 struct Trial {
   std::string failure;  ///< why the codec cannot be measured on this mesh; empty if it can
-  std::uint64_t bytes = 0;
+  std::uint64_t bytes = 0, position_bytes = 0;
+  double encode_seconds = 0, decode_seconds = 0;   ///< of processor time; the faster of two decodes
   std::uint64_t encode_peak = 0, decode_peak = 0;  ///< heap, without what prepare() made
   Fidelity fidelity;
 };

@@ -5,10 +5,9 @@
 
 #include <meshoptimizer.h>
 
-#include <cmath>
+#include <cstring>
 
-#include "bench/fidelity.h"
-#include "bench/rivals/zstd.h"
+#include "bench/rivals/general.h"
 
 namespace clers::bench {
 namespace {
@@ -42,16 +41,15 @@ class Meshopt : public Codec {
     index_bytes_.resize(meshopt_encodeIndexBuffer(index_bytes_.data(), index_bytes_.size(),
                                                   indices.data(), corners));
     raw_index_size_ = index_bytes_.size();
-    if (zstd_) index_bytes_ = zstd_compress(index_bytes_.data(), index_bytes_.size(), 19);
+    if (zstd_) index_bytes_ = zstd19(index_bytes_.data(), index_bytes_.size());
     if (mode_ != Mode::connectivity) encode_vertices(remap);
     remap_ = std::move(remap);
   }
 
-  // What a decoder has to be told besides: three counts and, quantised, origin and step.
   std::size_t bytes() const override {
-    const std::size_t header = mode_ == Mode::connectivity ? 0 : bits(mode_) ? 28 : 12;
-    return header + index_bytes_.size() + vertex_bytes_.size();
+    return meshopt_header(mode_) + index_bytes_.size() + vertex_bytes_.size();
   }
+  std::size_t position_bytes() const override { return vertex_bytes_.size(); }
 
   void decode() override {
     const std::size_t corners = input_->triangles.size();
@@ -79,48 +77,31 @@ class Meshopt : public Codec {
   }
 
  private:
-  using Quantised = std::uint16_t[4];  // the vertex codec wants multiples of four bytes
-
   void encode_vertices(const std::vector<std::uint32_t>& remap) {
-    std::vector<std::uint8_t> raw;
-    std::size_t stride;
-    if (bits(mode_)) {
-      stride = sizeof(Quantised);
-      raw.resize(used_ * stride);
-      auto* out = reinterpret_cast<Quantised*>(raw.data());
-      for (std::size_t v = 0; v < remap.size(); ++v) {
-        if (remap[v] == ~0u) continue;
-        for (std::size_t k = 0; k < 3; ++k)
-          out[remap[v]][k] = static_cast<std::uint16_t>(
-              std::floor((input_->positions[3 * v + k] - grid_.origin[k]) / grid_.step + 0.5f));
-      }
-    } else {
-      stride = 3 * sizeof(float);
-      raw.resize(used_ * stride);
-      meshopt_remapVertexBuffer(raw.data(), input_->positions.data(), remap.size(), stride,
-                                remap.data());
-    }
+    const std::vector<std::uint8_t> values = meshopt_vertices(*input_, mode_);
+    const std::size_t stride = meshopt_stride(mode_);
+    std::vector<std::uint8_t> raw(used_ * stride);
+    meshopt_remapVertexBuffer(raw.data(), values.data(), remap.size(), stride, remap.data());
     vertex_bytes_.resize(meshopt_encodeVertexBufferBound(used_, stride));
     vertex_bytes_.resize(meshopt_encodeVertexBuffer(vertex_bytes_.data(), vertex_bytes_.size(),
                                                     raw.data(), used_, stride));
     raw_vertex_size_ = vertex_bytes_.size();
-    if (zstd_) vertex_bytes_ = zstd_compress(vertex_bytes_.data(), vertex_bytes_.size(), 19);
+    if (zstd_) vertex_bytes_ = zstd19(vertex_bytes_.data(), vertex_bytes_.size());
   }
 
   void decode_vertices() {
     const std::vector<std::uint8_t> inflated = inflate(vertex_bytes_, raw_vertex_size_);
     const std::vector<std::uint8_t>& bytes = zstd_ ? inflated : vertex_bytes_;
     out_positions_.reset(new float[3 * used_]);
-    if (!bits(mode_)) return decode_vertices_to(out_positions_.get(), 12, bytes);
-    const std::unique_ptr<Quantised[]> grid(new Quantised[used_]);
-    decode_vertices_to(grid.get(), sizeof(Quantised), bytes);
-    for (std::size_t v = 0; v < used_; ++v)
-      for (std::size_t k = 0; k < 3; ++k)
-        out_positions_[3 * v + k] = grid_.origin[k] + static_cast<float>(grid[v][k]) * grid_.step;
+    if (!bits(mode_)) return decode_vertices_to(out_positions_.get(), bytes);
+    const std::unique_ptr<std::uint8_t[]> numbers(new std::uint8_t[meshopt_stride(mode_) * used_]);
+    decode_vertices_to(numbers.get(), bytes);
+    meshopt_off_grid(numbers.get(), used_, grid_, out_positions_.get());
   }
 
-  void decode_vertices_to(void* out, std::size_t stride, const std::vector<std::uint8_t>& bytes) {
-    if (meshopt_decodeVertexBuffer(out, used_, stride, bytes.data(), bytes.size()) != 0)
+  void decode_vertices_to(void* out, const std::vector<std::uint8_t>& bytes) {
+    if (meshopt_decodeVertexBuffer(out, used_, meshopt_stride(mode_), bytes.data(), bytes.size()) !=
+        0)
       throw CodecFailure("meshopt_decodeVertexBuffer refuses the bytes");
   }
 
@@ -145,26 +126,53 @@ class Meshopt : public Codec {
   std::unique_ptr<float[]> out_positions_;
 };
 
+std::string release() {
+  const int v = MESHOPTIMIZER_VERSION;
+  return std::to_string(v / 1000) + "." + std::to_string(v / 10 % 100);
+}
+
 }  // namespace
+
+std::vector<std::uint8_t> meshopt_vertices(const Input& input, Mode mode) {
+  const std::size_t stride = meshopt_stride(mode), size = stride * input.vertex_count;
+  std::vector<std::uint8_t> vertices(size, 0);
+  if (!bits(mode)) {
+    if (size) std::memcpy(vertices.data(), input.positions.data(), size);
+    return vertices;
+  }
+  const std::vector<std::uint16_t> numbers = on_grid(input.positions, grid_of(input, bits(mode)));
+  for (std::size_t v = 0; v < input.vertex_count; ++v)
+    std::memcpy(&vertices[stride * v], &numbers[3 * v], 3 * sizeof(std::uint16_t));
+  return vertices;
+}
+
+void meshopt_off_grid(const std::uint8_t* vertices, std::size_t count, const Grid& grid,
+                      float* positions) {
+  for (std::size_t v = 0; v < count; ++v) {
+    std::uint16_t numbers[4];
+    std::memcpy(numbers, vertices + sizeof numbers * v, sizeof numbers);
+    for (std::size_t k = 0; k < 3; ++k)
+      positions[3 * v + k] = grid.origin[k] + static_cast<float>(numbers[k]) * grid.step;
+  }
+}
 
 std::vector<CodecEntry> meshopt_codecs() {
   const std::vector<Mode> connectivity = {Mode::connectivity};
-  const std::vector<Mode> all(std::begin(all_modes), std::end(all_modes));
-  const auto entry = [](std::string row, std::vector<Mode> modes, Order order, bool zstd) {
-    return CodecEntry{std::move(row), std::move(modes),
+  const std::vector<Mode> all = {Mode::connectivity, Mode::q11, Mode::q14, Mode::q16,
+                                 Mode::lossless};
+  const auto entry = [](const char* row, std::vector<Mode> modes, Order order, bool zstd) {
+    return CodecEntry{"meshopt-" + release() + row, std::move(modes),
                       [=] { return std::make_unique<Meshopt>(order, zstd); }};
   };
-  return {entry("meshopt-vcache", connectivity, Order::cache, false),
-          entry("meshopt-vcache-zstd19", all, Order::cache, true),
-          entry("meshopt-strip", connectivity, Order::strip, false),
-          entry("meshopt-strip-zstd19", all, Order::strip, true)};
+  return {entry("-vcache", connectivity, Order::cache, false),
+          entry("-vcache-zstd19", all, Order::cache, true),
+          entry("-strip", connectivity, Order::strip, false),
+          entry("-strip-zstd19", all, Order::strip, true)};
 }
 
 std::string meshopt_version() {
-  const int v = MESHOPTIMIZER_VERSION;
   const std::string package = CLERS_BENCH_MESHOPTIMIZER_PACKAGE;
-  return std::to_string(v / 1000) + "." + std::to_string(v / 10 % 100) +
-         (package.empty() ? "" : " (the distribution's " + package + ")");
+  return release() + (package.empty() ? "" : " (the distribution's " + package + ")");
 }
 
 }  // namespace clers::bench

@@ -10,17 +10,25 @@ import re
 import subprocess
 import sys
 import tempfile
+import time
 
-KEYS = {"mesh", "class", "codec", "mode", "bytes", "bits_per_triangle", "encode_mtri_s", "decode_mtri_s",
+KEYS = {"mesh", "class", "codec", "mode", "bytes", "position_bytes", "bits_per_triangle", "encode_mtri_s", "decode_mtri_s",
         "peak_bytes_per_triangle", "same_mesh"}
+LEVELS = {"clers-1", "clers-3", "clers-5", "clers-7", "clers-9"}
+DRACO = {"draco-cl5", "draco-cl7", "draco-cl10"}
+MESHOPT = {"meshopt-N-vcache-zstd19", "meshopt-N-strip-zstd19"}
+PACKED = {"zstd19", "xz9e", "least-rival"}
 CODECS = {
-    "connectivity": {"clers-1", "clers-3", "clers-5", "clers-9", "draco-standard", "draco-valence", "meshopt-vcache",
-                     "meshopt-vcache-zstd19", "meshopt-strip", "meshopt-strip-zstd19", "zstd19"},
-    "lossless": {"clers-1", "clers-3", "clers-5", "clers-9", "draco-cl5", "draco-cl7", "draco-cl10", "openctm-mg1",
-                 "meshopt-vcache-zstd19", "meshopt-strip-zstd19", "zstd19"}}
+    "connectivity": LEVELS - {"clers-7"} | MESHOPT | PACKED |
+                    {"draco-standard", "draco-valence", "meshopt-N-vcache", "meshopt-N-strip"},
+    "lossless": LEVELS | DRACO | MESHOPT | PACKED | {"openctm-mg1", "fpzip-zstd19"},
+    "file": LEVELS | {"file-zstd19", "file-xz9e", "ply-zstd19", "ply-xz9e", "least-rival"}}
 for mode in ("q11", "q14", "q16"):
-    CODECS[mode] = {"draco-cl5", "draco-cl7", "draco-cl10", "openctm-mg2", "meshopt-vcache-zstd19",
-                    "meshopt-strip-zstd19"}
+    CODECS[mode] = LEVELS | DRACO | MESHOPT | PACKED | {"openctm-mg2"}
+
+
+def without_release(codec):
+    return re.sub(r"^meshopt-[0-9.]+-", "meshopt-N-", codec)
 
 
 def run(*command):
@@ -68,11 +76,14 @@ def main():
         check({"machine", "compiler", "flags", "versions", "results"} <= set(data), "the JSON lacks a key")
         check(all(data["versions"].values()), "a version is empty")
         rows = data["results"]
+        newer = {f"meshopt-{data['versions']['meshoptimizer-npm'].split(' ')[0]}-strip-zstd19"}
         for r in rows:
             check(KEYS <= set(r), f"a result lacks {KEYS - set(r)}")
-            check("failed" in r or r["bytes"] > 0 and r["encode_mtri_s"] > 0 and r["decode_mtri_s"] > 0, f"no figures: {r}")
+            untimed = r["codec"] == "least-rival" or r["codec"] in newer
+            check("failed" in r or r["bytes"] > 0 and (untimed or r["encode_mtri_s"] > 0 and r["decode_mtri_s"] > 0), f"no figures: {r}")
+            check(not untimed or r["encode_mtri_s"] is None, f"a speed of nothing: {r}")
         for mode, codecs in CODECS.items():
-            seen = {r["codec"] for r in rows if r["mode"] == mode and r["mesh"] == "cad-torus"}
+            seen = {without_release(r["codec"]) for r in rows if r["mode"] == mode and r["mesh"] == "cad-torus"}
             check(codecs <= seen, f"{mode}: no rows of {codecs - seen}")
             check(all("debian" in c for c in seen - codecs), f"{mode}: unknown rows {seen - codecs}")
         for r in rows:
@@ -81,16 +92,32 @@ def main():
                 check(r["same_mesh"], f"another mesh comes back: {r}")
             elif r["codec"].startswith("clers"):
                 check(r["same_mesh"] and not r["manifold"], f"clers loses something: {r}")
+            if r["codec"] == "least-rival" and "failed" not in r:
+                rivals = [o for o in rows if (o["mesh"], o["mode"]) == (r["mesh"], r["mode"]) and not o["codec"].startswith("clers") and "failed" not in o]
+                exact = [o["bytes"] for o in rivals if o["triangles_lost"] + o["triangles_added"] + o["vertices_added"] + o["positions_off"] == 0]
+                check(r["bytes"] == min(exact), f"not the least rival: {r}")
+        for mode in ("q11", "q14", "q16", "lossless"):
+            for codec in LEVELS | {"xz9e"}:
+                r = next(r for r in rows if (r["mesh"], r["mode"], r["codec"]) == ("cad-torus", mode, codec))
+                check(0 < r["position_bytes"] < r["bytes"], f"positions take nothing, or all: {r}")
         draco = [r for r in rows if r["mesh"] == "nonmanifold-book" and r["codec"] == "draco-valence"]
         check(not draco[0]["same_mesh"] and draco[0]["triangles_lost"] == 1, f"Draco's loss is not seen: {draco}")
+        book = next(r for r in rows if r["mesh"] == "nonmanifold-book" and r["mode"] == "file" and r["codec"] == "file-zstd19")
+        check(book["same_mesh"], f"a file is not the same after zstd: {book}")
         fins = {r["codec"]: r for r in rows if r["mesh"] == "nonmanifold-fins" and r["mode"] == "connectivity"}
         check(all(r["groups"] == ["not manifold"] for r in fins.values()), f"not in its group: {fins}")
         check(fins["draco-valence"]["vertices_added"] > 0, "Draco's doubled vertices are not seen")
-        check(re.search(r"nonmanifold-fins +3238 ", out) and re.search(r"comes back +meshes +same", out),
+        check(re.search(r"nonmanifold-fins +3238 ", out) and re.search(r"clers-5 +/ draco-cl10 ", out) and re.search(r"comes back +meshes +same", out),
               "meshes that are not manifold have no rows of their own")
         only = run(compare, "--group", "not manifold", "--modes", "connectivity", "--codecs", "clers-1,draco-valence", "--repeats", "1",
                    "--min-time", "0", at)
         check("nonmanifold-fins, " in only and "cad-torus, " not in only, "--group takes the wrong meshes")
+        start = time.monotonic()
+        run(compare, "--minutes", "0.001", "--modes", "q11", "--codecs", "clers-5,draco-cl10", "--json", at / "short.json", at)
+        short = json.loads((at / "short.json").read_text())["results"]
+        check(all(r["encode_samples"] == 1 for r in short if r["mesh"] == "cad-torus" and r["codec"] != "least-rival"),
+              "samples are taken when the time is over")
+        check(time.monotonic() - start < 60, "--minutes does not end the run")
         (at / "README.md").write_text("<!-- bench:begin --><!-- bench:end -->")
         run(pathlib.Path(__file__).parents[2] / "scripts" / "readme-table", at / "r.json", at / "README.md")
         check("1 meshes that are not manifold" in (at / "README.md").read_text(), "README's tables lack what is not manifold")

@@ -2,7 +2,9 @@
 // vertices, moved positions, codecs that crash, hang or lie; and if its clock and its heap count.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdlib>
 #include <limits>
 #include <numeric>
@@ -12,6 +14,7 @@
 #include "bench/heap.h"
 #include "bench/input.h"
 #include "bench/result.h"
+#include "bench/schedule.h"
 #include "bench/timing.h"
 #include "bench/trial.h"
 
@@ -113,6 +116,30 @@ TEST(Manifold, IsJudgedByEdgesAndFans) {
   EXPECT_FALSE(is_oriented_manifold(2, {0, 1, 1})) << "a vertex twice in a triangle";
 }
 
+TEST(Fidelity, ComparesFilesBitForBit) {
+  Input input = square();
+  input.file.meshes = {input.mesh};
+  Output out;
+  EXPECT_THROW(check(input, out, Mode::file), CodecFailure) << "no mesh";
+  out.meshes = {input.mesh};
+  EXPECT_TRUE(check(input, out, Mode::file).same());
+  out.meshes[0].attributes[0].data[0] ^= std::byte{1};
+  EXPECT_THROW(check(input, out, Mode::file), CodecFailure) << "another value";
+}
+
+TEST(Grid, MovesPositionsByHalfAStepAtMost) {
+  const Input input = square();
+  for (const Mode mode : {Mode::q11, Mode::q14, Mode::q16}) {
+    const Grid grid = grid_of(input, bits(mode));
+    Output out = same(input);
+    out.positions = off_grid(on_grid(input.positions, grid), grid);
+    EXPECT_TRUE(check(input, out, mode).same());
+    EXPECT_EQ(on_grid(out.positions, grid), on_grid(input.positions, grid));
+  }
+  EXPECT_THROW(on_grid({0, std::numeric_limits<float>::infinity(), 0}, grid_of(input, 11)),
+               CodecFailure);
+}
+
 // Codecs that go wrong in one way each.
 struct Faulty : Codec {
   enum class Fault { none, throws, crashes, exits, hangs, lies } fault;
@@ -126,6 +153,7 @@ struct Faulty : Codec {
     scratch[1 << 20] = 1;
   }
   std::size_t bytes() const override { return 17; }
+  std::size_t position_bytes() const override { return 5; }
   void decode() override {
     result.resize(1 << 20);
     if (fault == Fault::throws) throw CodecFailure("cannot do it");
@@ -159,6 +187,9 @@ TEST(Trial, CountsBytesHeapAndLoss) {
   const Trial good = trial_of(Faulty::Fault::none);
   EXPECT_EQ(good.failure, "");
   EXPECT_EQ(good.bytes, 17u);
+  EXPECT_EQ(good.position_bytes, 5u);
+  EXPECT_GT(good.encode_seconds, 0);
+  EXPECT_GT(good.decode_seconds, 0);
   EXPECT_TRUE(good.fidelity.same());
   EXPECT_NEAR(double(good.encode_peak), 3 << 20, 1 << 16);
   EXPECT_NEAR(double(good.decode_peak), 1 << 20, 1 << 16);
@@ -220,6 +251,76 @@ TEST(Timing, CountsProcessorTime) {
   const double before = thread_seconds();
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   EXPECT_LT(thread_seconds() - before, 0.02);
+}
+
+// What the fitted sampling is said to take is what sampling takes, and no more than allowed.
+TEST(Schedule, FitsTheTime) {
+  Trial fast, slow;
+  fast.encode_seconds = fast.decode_seconds = 0.001;
+  slow.encode_seconds = 0.5, slow.decode_seconds = 0.1;
+  const std::vector<const Trial*> trials(10, &fast);
+  const Sampling all;  // 60 samples and 1 to warm up, twice
+  EXPECT_NEAR(seconds_for(fast, all), 0.122, 1e-9);
+  EXPECT_EQ(fitted(all, trials, 1.3).budget, all.budget);
+  const Sampling tight = fitted(all, trials, 0.5);
+  EXPECT_LT(tight.budget, 0.06);
+  EXPECT_LE(10 * seconds_for(fast, tight), 0.5);
+  EXPECT_GT(10 * seconds_for(fast, tight), 0.45);
+
+  EXPECT_TRUE(is_sampled(slow, all));
+  EXPECT_NEAR(seconds_for(slow, all), 0.5 + 3 * 0.5 + 0.1 + 1, 1e-9) << "three samples at least";
+  EXPECT_FALSE(is_sampled(slow, fitted(all, {&slow}, 1)))
+      << "no time for them: its first run stands";
+  EXPECT_FALSE(is_sampled(fast, fitted(all, trials, -1))) << "the time is over";
+}
+
+// A mesh and what a codec makes of it, for tables.
+Result row(const char* codec, std::uint64_t bytes) {
+  Result r;
+  r.codec = codec;
+  r.mode = Mode::q11;
+  r.trial.bytes = bytes;
+  return r;
+}
+
+TEST(LeastRival, IsTheBestThatGivesTheMeshBack) {
+  std::vector<Result> rows = {row("clers-5", 1), row("a", 30), row("b", 20), row("c", 10)};
+  rows[3].trial.fidelity.triangles_lost = 1;
+  const Result least = least_of(rows);
+  EXPECT_EQ(least.codec, least_rival);
+  EXPECT_EQ(least.trial.bytes, 20u);
+  EXPECT_EQ(least.encode_mtri_s(), 0) << "it has no speed";
+  rows[2].trial.failure = "crashes";
+  EXPECT_EQ(least_of(rows).trial.bytes, 30u);
+  rows[1].trial.fidelity.vertices_lost = 1;  // isolated ones
+  EXPECT_EQ(least_of(rows).trial.bytes, 30u);
+  rows[1].trial.fidelity.positions_off = 1;
+  EXPECT_TRUE(least_of(rows).failed());
+}
+
+TEST(Groups, AreThoseOfTheMode) {
+  Result r;
+  r.mesh = "game-spot-uv";
+  r.manifold = true;
+  r.draco_connectivity = 500;
+  r.vertices = 1000;
+  for (const Mode mode : all_modes) {
+    r.mode = mode;
+    for (const std::string& group : groups_of(r)) {
+      const std::vector<std::string> names = group_names(mode);
+      EXPECT_NE(std::find(names.begin(), names.end(), group), names.end()) << group;
+    }
+  }
+  r.mode = Mode::q11;
+  EXPECT_TRUE(in_group(r, "mirror, grid or copies"));
+  r.mesh = "scan-bunny";
+  EXPECT_TRUE(in_group(r, "no mirror, grid, copies"));
+  r.mode = Mode::file;
+  EXPECT_EQ(groups_of(r).size(), 2u);
+  r.corner_values = true;
+  EXPECT_EQ(groups_of(r).size(), 1u);
+  r.vertices = 999;
+  EXPECT_TRUE(groups_of(r).empty());
 }
 
 TEST(Groups, LeaveOutMeshesThatSayNothing) {

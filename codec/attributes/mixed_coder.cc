@@ -1,5 +1,6 @@
 #include "codec/attributes/mixed_coder.h"
 
+#include <optional>
 #include <string>
 
 #include "codec/attributes/mixed_model.h"
@@ -15,8 +16,9 @@ using namespace mixed;
 /// Vertices across parallelograms first; then, or where there are no twins, those that are left.
 /// Returns what is wrong.
 template <class Coder, class Int>
-std::string code_all(Coder& coder, const CodedSurface& surface, const Lattice<Int>& lattice) {
-  Model<Int> model(lattice);
+std::string code_all(Coder& coder, const CodedSurface& surface, const Lattice<Int>& lattice,
+                     const std::optional<MirrorPlane>& plane, const Originals* originals) {
+  Model<Int> model(surface, lattice, plane, originals);
   Star star;
   std::uint32_t before = no_vertex;
   bool good = true;
@@ -49,19 +51,39 @@ std::string code_all(Coder& coder, const CodedSurface& surface, const Lattice<In
 
 template <class Int>
 Bytes encode_mixed(const CodedSurface& surface, const Lattice<Int>& lattice) {
-  return encode_stream([&](EncodeTo& coder) { code_all(coder, surface, lattice); });
+  const std::optional<MirrorPlane> plane = find_mirror(lattice);
+  const Originals originals = find_originals(surface);
+  const bool copies = originals.count > 0 && copies_pay(surface, originals, lattice);
+  Bytes bytes;
+  put_mirror(bytes, plane);
+  put_u8(bytes, copies);
+  put_bytes(bytes, encode_stream([&](EncodeTo& coder) {
+    code_all(coder, surface, lattice, plane, copies ? &originals : nullptr);
+  }));
+  return bytes;
 }
 
 template <class Int>
 Expected<Done> decode_mixed(std::span<const std::byte> bytes, std::uint64_t at,
                             const CodedSurface& surface, const Lattice<Int>& lattice) {
-  return decode_stream({bytes, at}, "coordinates",
-                       [&](DecodeFrom& coder) { return code_all(coder, surface, lattice); });
+  ByteReader in(bytes, at);
+  const auto plane = read_mirror(in, lattice.axes);
+  if (!plane.ok()) return Failure{plane.error()};
+  const std::uint32_t copies = in.u8();
+  if (!in.ok()) return Failure{in.error()};
+  if (copies > 1) return fail(ErrorCode::invalid, Place::byte, in.offset() - 1, "copies are neither followed nor not");
+  Originals originals;
+  if (copies) originals = find_originals(surface);
+  const Stream stream = {bytes.subspan(in.position()), in.offset()};
+  return decode_stream(stream, "coordinates", [&](DecodeFrom& coder) {
+    return code_all(coder, surface, lattice, *plane, copies ? &originals : nullptr);
+  });
 }
 
-std::uint64_t mixed_memory(std::uint64_t values) {
+std::uint64_t mixed_memory(std::uint64_t values, std::uint64_t triangles) {
   return values * sizeof(Past) + Stars::memory(values) + visit_order_memory(values) +
-         Mixing::memory();
+         Mirror<std::int64_t>::memory(values) + originals_memory(values, triangles) +
+         Copies<std::int64_t>::memory(values) + Mixing::memory();
 }
 
 template Bytes encode_mixed(const CodedSurface&, const Lattice<std::int32_t>&);

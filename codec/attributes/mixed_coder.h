@@ -23,7 +23,7 @@ Expected<Done> decode_mixed(std::span<const std::byte> bytes, std::uint64_t at,
                             const CodedSurface& surface, const Lattice<Int>& lattice);
 
 /// Bytes that either of them allocates beside what it is given and returns.
-std::uint64_t mixed_memory(std::uint64_t values);
+std::uint64_t mixed_memory(std::uint64_t values, std::uint64_t triangles);
 
 extern template Bytes encode_mixed(const CodedSurface&, const Lattice<std::int32_t>&);
 extern template Bytes encode_mixed(const CodedSurface&, const Lattice<std::int64_t>&);

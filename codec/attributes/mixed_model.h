@@ -6,12 +6,16 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "codec/attributes/copies.h"
 #include "codec/attributes/lattice.h"
 #include "codec/attributes/mixed_correction.h"
 #include "codec/attributes/mixed_covariance.h"
 #include "codec/attributes/mixed_decisions.h"
+#include "codec/attributes/mirror.h"
+#include "codec/attributes/mixed_guess.h"
 #include "codec/attributes/mixed_mixing.h"
 #include "codec/attributes/mixed_scales.h"
 #include "codec/attributes/mixed_space.h"
@@ -30,22 +34,37 @@ struct Past {
 template <class Int>
 class Model {
  public:
-  Model(const Lattice<Int>& lattice)
+  Model(const CodedSurface& surface, const Lattice<Int>& lattice,
+        const std::optional<MirrorPlane>& plane, const Originals* originals)
       : rows_(lattice.rows.data()), axes_(lattice.axes), space_(axes_), past_(lattice.count()) {
     coarser_ = static_cast<int>(space_.bits() > 31 ? space_.bits() - 31 : 0) - 4;
     edge_log_ = static_cast<int>(space_.bits()) * 256 - 1024;
     lonely_[0] = lonely_[1] = edge_log_ - 512;
     least_size_ = std::min({space_.step(0), space_.step(1), space_.step(2)}) - 512;
     if (space_.drop()) least_size_ = -512;
+    if (plane) mirror_.emplace(*plane, rows_, lattice.count(), surface);
+    if (originals) copies_.emplace(*originals, rows_, axes_);
+    guess_[0].emplace(edge_log_ - 1024);
+    guess_[1].emplace(edge_log_ - 1024);
+    guess_[2].emplace(edge_log_ - 1024);
+    mirror_axis_ = plane ? plane->axis : 0;
   }
 
   /// Codes vertex v, about which the star is known; before: a vertex coded before, if there is any.
   template <class Coder>
   bool code(Coder& coder, std::uint32_t v, const Star& star, std::uint32_t before) {
-    if (star.parallelograms == 0) return code_lonely(coder, v, star, before);
-    look(star);
-    predict(star);
-    return code_components(coder, v, star);
+    partner_ = Mirror<Int>::nobody;
+    if (star.parallelograms == 0) {
+      if (!code_lonely(coder, v, star, before)) return false;
+    } else {
+      look(star);
+      predict(star);
+      guess(v, star);
+      if (!code_components(coder, v, star)) return false;
+    }
+    if (mirror_) mirror_->known(v, partner_);
+    if (copies_) copies_->known(v);
+    return true;
   }
 
  private:
@@ -235,7 +254,63 @@ class Model {
                       least_size_);
   }
 
-  static constexpr unsigned present_ = 0x5f;
+  /// Experts that know of other places.
+  void guess(std::uint32_t v, const Star& star) {
+    present_ = 0x5f;
+    const Star::Parallelogram& gate = star.parallelogram[0];
+    const int edge = edge_ - frame_.finer * 256;
+    const auto place = [&](const std::array<Int, 3>& row) { return frame_.local(space_.point(row.data()) - frame_.origin); };
+    if (copies_) {
+      std::array<Int, 3> row;
+      if (copies_->guess(v, gate.a, gate.b, gate.c, row.data())) {
+        present_ |= 1 << 5;
+        copy_ = place(row);
+        const int expected = static_cast<int>(copies_->expected()) * 16 - 256;
+        guess_[0]->predict(expected, least_size_, size(copy_ - corrected_), across_, edge);
+      }
+    }
+    if (mirror_) {
+      std::array<Int, 3> row;
+      for (std::size_t i = 0; i < 3; ++i)
+        row[i] = integer(i, corrected_[static_cast<unsigned>(i)]);
+      partner_ = mirror_->guess(gate.a, gate.b, row.data());
+      if (partner_ != Mirror<Int>::nobody) {
+        present_ |= 1 << 7;
+        for (std::size_t i = 0; i < 3; ++i) row[i] = mirror_->image(partner_, i);
+        image_ = place(row);
+        image_[mirror_axis_] += frame_.finer >= 8 ? shift_ * (std::int64_t(1) << (frame_.finer - 8)) : shift_ >> (8 - frame_.finer);
+        const Vector a = mismatch(gate.a), b = mismatch(gate.b), d = image_ - corrected_;
+        guess_[1]->predict(size1(a[mirror_axis_]), size1(b[mirror_axis_]), size1(d[mirror_axis_]),
+                           across_, edge);
+        guess_[2]->predict(size(beside(a)), size(beside(b)), size(beside(d)), across_, edge);
+      }
+    }
+  }
+
+  /// The integer on an axis that is at a place in the frame, within the axis.
+  Int integer(std::size_t axis, std::int64_t place) const {
+    const unsigned c = static_cast<unsigned>(axis);
+    const std::int64_t x = frame_.origin[c] + (frame_.finer >= 0 ? place >> frame_.finer : place * (std::int64_t(1) << -frame_.finer));
+    const std::int64_t k = x <= 0 ? 0 : space_.scale(c) == 1 ? x : x / space_.scale(c);
+    return static_cast<Int>(std::min(k, static_cast<std::int64_t>(axes_[axis].top) >> space_.drop()) << space_.drop());
+  }
+
+  /// From a vertex to the image of its partner.
+  Vector mismatch(std::uint32_t v) const {
+    const std::uint32_t w = mirror_->partner(v);
+    if (w == Mirror<Int>::nobody) {
+      const auto usual = static_cast<std::int64_t>(fixed::exp2(std::clamp(across_ + frame_.finer * 256, 0, 28 * 256)) >> 16);
+      return {usual, usual, usual};
+    }
+    std::array<Int, 3> row;
+    for (std::size_t i = 0; i < 3; ++i) row[i] = mirror_->image(w, i);
+    return frame_.local(space_.point(row.data()) - point(v));
+  }
+  /// What of a vector is not along the mirror's axis.
+  Vector beside(Vector d) const {
+    d[mirror_axis_] = 0;
+    return d;
+  }
 
   int local_scale(int scale, int step) const {
     return std::clamp(scale + frame_.finer * 256, std::max(step - 512, 256), 36 * 256);
@@ -243,13 +318,13 @@ class Model {
 
   template <class Coder>
   bool code_components(Coder& coder, std::uint32_t v, const Star& star) {
-    const Vector means[experts] = {mean_,    corrected_, lines_,     mean_,
-                                   ends_[0], mean_,      ring_mean_, mean_};
+    const Vector means[experts] = {mean_, corrected_, lines_, mean_, ends_[0], copy_, ring_mean_, image_};
     std::int64_t missed[2][experts];
     Int* const row = rows_ + 3 * std::size_t(v);
     Context context;
     context.support = std::min(star.parallelograms, 3u);
     int farthest = 0;
+    bool wrong = false;
     for (unsigned k = 0; k < 3; ++k) {
       const unsigned c = order_[k];
       const Ruler ruler(space_, axes_[c], c, frame_);
@@ -261,6 +336,8 @@ class Model {
         int scale = common;
         if (i == 3) {
           scale = axis_[c];
+        } else if (i == 5 || i == 7) {
+          scale = guess_[i == 5 ? 0 : c == mirror_axis_ ? 1 : 2]->scale();
         } else {
           if (k == 1) o.mean += covariance_.second(missed[0][i]);
           if (k == 2) o.mean += covariance_.third(missed[0][i], missed[1][i]);
@@ -269,7 +346,14 @@ class Model {
         o.mean = std::clamp(o.mean, -4 * Frame::most, 4 * Frame::most);
         o.scale = local_scale(scale, ruler.step());
       }
-      const unsigned lead = opinions[3].scale + 128 < opinions[1].scale ? 3 : 1;
+      unsigned lead = opinions[3].scale + 128 < opinions[1].scale ? 3 : 1;
+      context.mode = 0;
+      for (const unsigned i : {5u, 7u}) {
+        if ((present_ >> i & 1) == 0) continue;
+        const bool leads = opinions[i].scale < opinions[lead].scale && !wrong;
+        if (leads) lead = i;
+        context.mode = i == 5 ? 1 : leads ? 3 : 2;
+      }
       context.component = k;
       context.missed = k == 0 ? 0 : farthest < 64 ? 0 : farthest < 128 ? 1 : farthest < 256 ? 2 : 3;
       const int octave = (opinions[lead].scale - ruler.step()) >> 8;
@@ -282,6 +366,11 @@ class Model {
           (static_cast<std::int64_t>(value) >> space_.drop()) * space_.scale(c) - frame_.origin[c],
           frame_.finer);
       if (k < 2) {
+        for (const unsigned i : {5u, 7u}) {
+          if ((present_ >> i & 1) == 0) continue;
+          const std::int64_t off = place - opinions[i].mean;
+          wrong = wrong || size1(off) > std::max(guess_[i == 5 ? 0 : 2]->scale(), ruler.step() - frame_.finer * 256) + 512;
+        }
         for (unsigned i = 0; i < experts; ++i) missed[k][i] = place - means[i][c];
         const std::int64_t off = place - opinions[lead].mean;
         const std::int64_t by =
@@ -304,6 +393,16 @@ class Model {
     const std::int64_t e0 = excess(along, along_), e1 = excess(across, across_);
     along_of_.learn(features_, inverse_power_, rate, e0);
     across_of_.learn(features_, inverse_power_, rate, e1);
+    if (present_ >> 5 & 1) guess_[0]->learn(size(place_ - copy_));
+    if (present_ >> 7 & 1) {
+      const Vector off = place_ - image_;
+      guess_[1]->learn(size1(off[mirror_axis_]));
+      guess_[2]->learn(size(beside(off)));
+      const std::int64_t o = off[mirror_axis_];
+      const std::int64_t most = std::int64_t(256) * space_.scale(mirror_axis_);
+      const std::int64_t moved = frame_.finer >= 8 ? o >> (frame_.finer - 8) : o * (std::int64_t(1) << (8 - frame_.finer));
+      shift_ += std::clamp(moved, -most, most) >> 5;
+    }
     const Vector others[experts] = {mean_,    corrected_, lines_,     mean_,
                                     ends_[0], mean_,      ring_mean_, mean_};
     for (const unsigned i : {0u, 2u, 4u, 6u}) {
@@ -322,16 +421,15 @@ class Model {
           fixed::exp2(std::clamp(scale + frame_.finer * 256, 0, 28 * 256)) * 3 >> 16);
     };
     correction_.learn(place_ - corrected_, three(along_), three(across_));
-    remember(v, plain);
+    remember(v, plain, place_ - corrected_);
   }
 
-  void remember(std::uint32_t v, Vector residual) {
+  void remember(std::uint32_t v, Vector residual, Vector error) {
     Past& p = past_[v];
     int along, across;
     sizes(residual, along, across);
     const int shift = frame_.finer + coarser_;
-    const Vector r =
-        clamp(shift >= 0 ? residual >> shift : residual * (std::int64_t(1) << -shift), 0x7fffffff);
+    const Vector r = clamp(shift >= 0 ? error >> shift : error * (std::int64_t(1) << -shift), 0x7fffffff);
     for (unsigned i = 0; i < 3; ++i) {
       p.residual[i] = static_cast<std::int32_t>(r[i]);
       p.axis[i] = static_cast<std::int16_t>(size1(residual[i]));
@@ -374,7 +472,7 @@ class Model {
     }
     const Vector error = place_ - mean_;
     scale += static_cast<int>(excess(size(error), scale)) / 4;
-    remember(v, Vector{});
+    remember(v, Vector{}, Vector{});
     Past& p = past_[v];
     p.along = p.across = p.axis[0] = p.axis[1] = p.axis[2] =
         static_cast<std::int16_t>(edge_log_ - 512);
@@ -401,6 +499,14 @@ class Model {
   Regression<8> axis_of_[3];
   int bias_[experts] = {};
   Rate rate_;
+  std::optional<Mirror<Int>> mirror_;
+  std::optional<Copies<Int>> copies_;
+  std::optional<Guess> guess_[3];
+  unsigned mirror_axis_ = 0;
+  std::int64_t shift_ = 0;
+  Vector copy_, image_;
+  std::uint32_t partner_ = 0;
+  unsigned present_ = 0;
   Correction correction_;
   Mixing mixing_;
 };

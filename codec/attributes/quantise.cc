@@ -13,7 +13,11 @@
 #include <utility>
 
 #include "codec/attributes/find_system.h"
+<<<<<<< HEAD
 #include "codec/attributes/near_grid.h"
+=======
+#include "codec/attributes/floating_maps.h"
+>>>>>>> glue
 #include "codec/attributes/number_maps.h"
 #include "codec/attributes/place_numbers.h"
 #include "codec/base/difference.h"
@@ -109,20 +113,32 @@ NumberSystem system_of(const Grid& grid, Scalar scalar, double largest) {
   return system;
 }
 
+/// What a number is to maps: a float, or a whole number of any type.
+template <class T>
+using NumberType = std::conditional_t<std::is_floating_point_v<T>, T, Whole>;
+
+template <class T>
+WordOf<NumberType<T>> word_of(T x) {
+  if constexpr (std::is_floating_point_v<T>)
+    return std::bit_cast<WordOf<T>>(x);
+  else
+    return static_cast<std::make_unsigned_t<T>>(x) ^ key_mask(scalar_of<T>());
+}
+template <class T>
+T number_of(WordOf<NumberType<T>> word) {
+  if constexpr (std::is_floating_point_v<T>)
+    return std::bit_cast<T>(word);
+  else
+    return static_cast<T>(static_cast<std::make_unsigned_t<T>>(word ^ key_mask(scalar_of<T>())));
+}
+
 /// Calls use with a function that gives point k of a grid.
 template <class T, class Use>
 auto with_points(const NumberSystem& system, Use use) {
   const auto step = static_cast<std::int64_t>(system.step);
-  const auto points = [step](const auto& map) {
-    return [step, &map](std::int64_t k) { return std::bit_cast<T>(map.word(k * step, 0)); };
-  };
-  if constexpr (std::is_floating_point_v<T>)
-    if (system.map == NumberMap::quotient) {
-      const QuotientMap<T> map(system);
-      return use(points(map));
-    }
-  const AffineMap<T> map(system);
-  return use(points(map));
+  return with_map<NumberType<T>>(system, scalar_of<T>(), [&](const auto& map) {
+    return use([step, &map](std::int64_t k) { return number_of<T>(map.word(k * step, 0)); });
+  });
 }
 
 /// The point of a grid that is nearest to a number, the lower of two. `k` is near it.
@@ -175,16 +191,20 @@ Moved<T> move_to(const std::vector<T>& numbers, const Grid& grid, bool keep_zero
 /// grid: so they are fewer, and nothing is lost.
 template <class T>
 std::optional<NumberSystem> coarser_system(const std::vector<T>& numbers, double step) {
-  const NumberSystem found = find_system({std::as_bytes(std::span(numbers)), scalar_of<T>(), 1, 0});
+  using Number = NumberType<T>;
+  std::vector<WordOf<Number>> words;
+  words.reserve(numbers.size());
+  for (const T x : numbers) words.push_back(word_of(x));
+  const NumberSystem found = find_system<Number>(words);
   if (found.low_bits > 0 || found.ulps > 0) return std::nullopt;
   if (found.map != (std::is_floating_point_v<T> ? NumberMap::quotient : NumberMap::word))
     return std::nullopt;
   const double apart = std::is_floating_point_v<T> ? spacing(found) : double(found.step);
   if (!(apart >= step)) return std::nullopt;
-  const bool has_all = with_map<T>(found, [&](const auto& map) {
-    const Placing<T, std::decay_t<decltype(map)>> placing(found, map);
-    return std::all_of(numbers.begin(), numbers.end(),
-                       [&](T x) { return placing.place(std::bit_cast<WordOf<T>>(x)).exact; });
+  const bool has_all = with_map<Number>(found, scalar_of<T>(), [&](const auto& map) {
+    const Placing<Number, std::decay_t<decltype(map)>> placing(found, map);
+    return std::all_of(words.begin(), words.end(),
+                       [&](auto word) { return placing.place(word).exact; });
   });
   return has_all ? std::optional(found) : std::nullopt;
 }
