@@ -13,11 +13,8 @@
 #include <utility>
 
 #include "codec/attributes/find_system.h"
-<<<<<<< HEAD
-#include "codec/attributes/near_grid.h"
-=======
 #include "codec/attributes/floating_maps.h"
->>>>>>> glue
+#include "codec/attributes/near_grid.h"
 #include "codec/attributes/number_maps.h"
 #include "codec/attributes/place_numbers.h"
 #include "codec/base/difference.h"
