@@ -41,15 +41,16 @@ struct Encoded {
 /// no two positions coincide and its pieces are manifold too. Other meshes may not: where they are
 /// cut depends on the order of faces.
 ///
-/// Errors: inconsistent_mesh, too_large, bad_option, not_on_grid, out_of_memory; and where options reject them,
-/// degenerate_face, duplicate_face, nonmanifold_edge, nonorientable, nonmanifold_vertex, each with
-/// the first such element. Throws nothing but what `progress` throws (std::bad_alloc becomes
-/// out_of_memory). Thread safe: calls share nothing, and only read the mesh.
+/// Errors: inconsistent_mesh, too_large, bad_option, not_on_grid, out_of_memory; and where options
+/// reject them, degenerate_face, duplicate_face, nonmanifold_edge, nonorientable,
+/// nonmanifold_vertex, each with the first such element. Throws nothing but what `progress` throws
+/// (std::bad_alloc becomes out_of_memory). Thread safe: calls share nothing, and only read the
+/// mesh.
 ///
 /// Cost: linear in the faces, O(log n) a handle, and sorts of non-manifold edges, of degenerate
 /// faces and of the patches that pieces are made of. Of the arrays of the mesh, 16-bit corners are
 /// copied (4 bytes each), and the values of one attribute a thread; a mesh in pieces is copied
-/// piece by piece.
+/// piece by piece. Values that are quantised are copied three times before that.
 Expected<Encoded> encode(const MeshView& mesh, const EncodeOptions& options = {});
 
 /// Encodes several meshes into one file. Errors say which mesh.

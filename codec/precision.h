@@ -17,7 +17,8 @@ namespace CLERS_VISIBLE clers {
 inline constexpr int min_bits = 1, max_bits = 30;
 
 /// Values come back as they are, or each component is moved to the nearest point of a grid:
-/// origin + k * step, rounded to the type of the attribute.
+/// origin + k * step, rounded to the type of the attribute. With `bits` and `error`, a component
+/// that is on a coarser grid already, or nearly, is moved to that one instead.
 struct Precision {
   enum class Kind : std::uint8_t {
     lossless,

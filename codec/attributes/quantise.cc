@@ -14,6 +14,7 @@
 
 #include "codec/attributes/find_system.h"
 #include "codec/attributes/floating_maps.h"
+#include "codec/attributes/near_grid.h"
 #include "codec/attributes/number_maps.h"
 #include "codec/attributes/place_numbers.h"
 #include "codec/base/difference.h"
@@ -26,11 +27,6 @@ using Kind = Precision::Kind;
 
 /// So far from its origin a number may be: there doubles still tell all points of a grid apart.
 constexpr double most_steps = double(std::int64_t(1) << 50);
-
-/// origin + k * step, of one component.
-struct Grid {
-  double origin = 0, step = 0;
-};
 
 /// The numbers of a component, in the order of the values.
 template <class T>
@@ -173,7 +169,7 @@ Moved<T> move_to(const std::vector<T>& numbers, const Grid& grid, bool keep_zero
   with_points<T>(system, [&](const auto& point) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const T x = numbers[i];
-      const double k = static_cast<double>(x) - grid.origin / grid.step;
+      const double k = (static_cast<double>(x) - grid.origin) / grid.step;
       if (!(std::fabs(k) < most_steps)) {
         moved.too_far = i;
         return;
@@ -318,8 +314,11 @@ class Quantiser {
     if (!std::is_floating_point_v<T> && grids[0].step <= 1) return all;
     std::vector<std::vector<T>> moved;
     for (std::size_t c = 0; c < numbers_.size(); ++c) {
-      NumberSystem system = system_of(grids[c], a_.scalar, bounds_[c].largest());
-      Moved<T> component = move_to(numbers_[c], grids[c], keep_zeros, system);
+      Grid grid = grids[c];
+      if (std::is_floating_point_v<T> && !keep_zeros)
+        if (const auto near = NearGrid(grid.step).find(numbers_[c])) grid = *near;
+      NumberSystem system = system_of(grid, a_.scalar, bounds_[c].largest());
+      Moved<T> component = move_to(numbers_[c], grid, keep_zeros, system);
       if (component.too_far)
         return not_on_grid(a_, *component.too_far, "is too many steps away from the origin");
       if (!keep_zeros || component.error == 0)

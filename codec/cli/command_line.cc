@@ -490,6 +490,9 @@ class CommandLine {
   void add_precision(const char* option, const std::string& name, const std::string& text) {
     const auto precision = parse_precision(text);
     if (!precision) refuse(option, precision_words, text);
+    for (const AttributePrecision& other : options_.encode.precisions)
+      if (other.name == name)
+        throw CLI::ValidationError(option, fmt::format("{} is given twice", in_quotes(name)));
     options_.encode.precisions.push_back({name, *precision, {}});
   }
 

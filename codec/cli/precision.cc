@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 namespace clers::cli {
@@ -16,6 +17,12 @@ std::optional<T> parsed(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return number;
+}
+
+/// A number that is finite and more than 0.
+std::optional<double> parsed_size(std::string_view text) {
+  const auto size = parsed<double>(text);
+  return size && *size > 0 && std::isfinite(*size) ? size : std::nullopt;
 }
 
 /// Takes a word off the front.
@@ -32,12 +39,12 @@ std::optional<Precision> parse_grid(std::string_view text) {
   for (std::string_view rest = text.substr(0, colon);;) {
     const std::size_t comma = rest.find(',');
     const auto x = parsed<double>(rest.substr(0, comma));
-    if (!x) return std::nullopt;
+    if (!x || !std::isfinite(*x)) return std::nullopt;
     origin.push_back(*x);
     if (comma == rest.npos) break;
     rest.remove_prefix(comma + 1);
   }
-  const auto step = parsed<double>(text.substr(colon + 1));
+  const auto step = parsed_size(text.substr(colon + 1));
   if (!step) return std::nullopt;
   return Precision::on_grid(std::move(origin), *step);
 }
@@ -51,16 +58,17 @@ std::optional<Precision> parse_precision(std::string_view text) {
   if (text == "lossless") return Precision::lossless();
   if (take(text, "grid:")) return parse_grid(text);
   if (take(text, "step")) {
-    const auto size = parsed<double>(text);
+    const auto size = parsed_size(text);
     return size ? std::optional(Precision::of_step(*size)) : std::nullopt;
   }
   if (take(text, "error")) {
-    const auto size = parsed<double>(text);
+    const auto size = parsed_size(text);
     return size ? std::optional(Precision::of_error(*size)) : std::nullopt;
   }
   if (!take(text, "q")) return std::nullopt;
   const auto bits = parsed<int>(text);
-  return bits ? std::optional(Precision::of_bits(*bits)) : std::nullopt;
+  return bits && *bits >= min_bits && *bits <= max_bits ? std::optional(Precision::of_bits(*bits))
+                                                        : std::nullopt;
 }
 
 std::vector<FoundError> largest_errors(std::span<const MeshInfo> meshes) {

@@ -17,8 +17,7 @@ namespace clers::cli {
 /// What parse_precision takes, as a part of a sentence.
 extern const char precision_words[];
 
-/// "lossless", "q14", "step0.01", "error0.001", "grid:0,0,0:0.01". The library says whether its
-/// numbers are in range.
+/// "lossless", "q14", "step0.01", "error0.001", "grid:0,0,0:0.01".
 std::optional<Precision> parse_precision(std::string_view text);
 
 /// The attributes that came back changed, and by how much in any of the meshes.

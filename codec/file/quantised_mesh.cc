@@ -32,8 +32,8 @@ Warning warning_of(const MeshView& mesh, const AttributeView& a, const Outliers&
     what += ", farthest that of " + std::string(name(a.domain)) + " " +
             std::to_string(outliers.farthest);
   }
-  what += ": without them " + std::to_string(outliers.bits) + " bits would do for " +
-          std::to_string(bits);
+  what += ": without them " + std::to_string(outliers.bits) + " instead of " +
+          std::to_string(bits) + " bits would do";
   return {WarningCode::wasted_bits, 0, std::string(a.name), a.domain, outliers.farthest,
           std::move(what)};
 }

@@ -200,6 +200,41 @@ TEST(Quantise, WhatIsOnTheGridStaysBitForBit) {
   EXPECT_TRUE(out->values.empty());
 }
 
+TEST(Quantise, ACoarserGridIsKept) {
+  std::mt19937 random(9);
+  std::vector<float> terrain;
+  std::vector<double> printed;
+  for (int i = 0; i < 2000; ++i) {
+    for (const unsigned unit : {30u, 30u, 1u})
+      terrain.push_back(5e5f + static_cast<float>(unit * (random() % 900)));
+    // Steps of 1 / 783, with six decimals.
+    for (int c = 0; c < 3; ++c)
+      printed.push_back(std::floor(1e6 * static_cast<double>(random() % 783) / 783 + .5) / 1e6);
+  }
+  double error = 0;
+  // The longest side has 26970 metres, or steps of 1.6.
+  auto out = quantise(view_of(terrain, 3), Precision::of_bits(14));
+  ASSERT_TRUE(out.ok());
+  ASSERT_EQ(out->plan.systems.size(), 3u);
+  EXPECT_EQ(spacing(out->plan.systems[0]), 30);
+  std::vector<float> moved = values_of(*out, terrain);
+  for (std::size_t i = 0; i < moved.size(); ++i)
+    if (i % 3 != 2) {
+      EXPECT_EQ(moved[i], terrain[i]);
+    }
+  EXPECT_EQ(quantised(terrain, 3, Precision::of_error(.4), &error), terrain);
+  EXPECT_EQ(error, 0);
+
+  // 511 steps are longer than theirs, 1023 and 2047 are not.
+  for (const int bits : {9, 10, 11}) {
+    quantised(printed, 3, Precision::of_bits(bits), &error);
+    EXPECT_EQ(error<1e-6, bits> 9);
+  }
+  // Nobody else would know these steps.
+  quantised(printed, 3, Precision::of_step(1. / 512), &error);
+  EXPECT_GT(error, 1e-4);
+}
+
 TEST(Quantise, FewValues) {
   for (const Precision& precision :
        {Precision::of_bits(1), Precision::of_bits(30), Precision::of_step(1e-30),

@@ -51,6 +51,28 @@ for level in 1 9; do
 done
 
 
+# ---- Less exact
+run encode --positions q8 grid.obj -o q8.clers
+check "encode --positions" test "$status" -eq 0
+check "the error is named" grep -q "note: 'position' is off by [0-9.e-]* at most" err
+run verify grid.obj q8.clers; ends "verify within the error" 0
+check "verify names the error" grep -q "every value bit for bit, but 'position' is off by .* at most, as stated" out
+run info q8.clers; check "info names the error" grep -q "position .* off by [0-9.e-]* at most" out
+run info --json q8.clers; check "info --json has it" grep -q '"error": [0-9.e-]*[1-9]' out
+run decode -q q8.clers -o q8.obj; run verify grid.obj q8.clers; ends "verify again" 0
+run encode -q q8.obj -o exact.clers; run verify grid.obj exact.clers
+ends "an error that is not stated is a difference" 1 "differs"
+run encode --positions q8 --order keep grid.obj -o kept.clers; run verify grid.obj kept.clers
+check "the order is kept" grep -q "as stated, in the same order" out
+run encode -q --positions lossless grid.obj -o lossless.clers; check "lossless is the default" cmp -s grid.clers lossless.clers
+run encode --positions q20 --pieces 50 grid.obj -o pieces.clers; run verify grid.obj pieces.clers; ends "verify pieces on a grid" 0
+cp grid.obj removed.obj; run encode --rm --positions step0.1 removed.obj; check "what is not exact is not removed" test -e removed.obj
+{ seq 30 | sed 's/.*/v 0.& 0.5 0.1/'; echo 'v 0.5 99 0.1'; echo 'f 1 2 31'; } >far.obj
+run encode --positions q8 far.obj; check "a vertex far away is named" grep -q "note: 'position' has values far .* vertex 30: without" err
+run encode --attribute position=grid:0,0,-1:0.25 grid.obj -o on.clers; run decode -q on.clers -o on.obj
+check "values are on the grid" eval '! grep "^v " on.obj | tr " " "\n" | grep -vE "^(v|-?[0-9]+(\.(25|5|75))?)$"'
+rm -f q8.* exact.clers kept.clers lossless.clers pieces.clers removed.* far.* on.*
+
 # ---- Pieces and threads
 for threads in 1 2 5; do
   run encode --pieces 50 --threads $threads grid.obj -o pieces-$threads.clers; ends "encode --pieces, $threads threads" 0

@@ -112,7 +112,7 @@ ZSH
   for command in $commands; do
     groups "$command" | names >in_help
     zsh -f complete.zsh "$completions/_clers" "$command" |
-      sed -n 's/^\(([^)]*)\)\{0,1\}\(-[-a-zA-Z0-9]*\)\[.*/\2/p' | grep -vx -e -s | names >completed
+      sed -n 's/^\*\{0,1\}\(([^)]*)\)\{0,1\}\(-[-a-zA-Z0-9]*\)\[.*/\2/p' | grep -vx -e -s | names >completed
     check "zsh completes $command: $(comm -3 in_help completed | tr '\n' ' ')" cmp -s in_help completed
   done
 else
