@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "codec/base/guarded.h"
+#include "codec/base/portable.h"
 #include "codec/comparison/compared_mesh.h"
 #include "codec/comparison/equitable.h"
 #include "codec/comparison/pairing.h"
@@ -174,6 +175,7 @@ Expected<Comparison> compare(const Mesh& a, const Mesh& b) {
 Expected<Comparison> compare(const Mesh& a, const Mesh& b, std::span<const Tolerance> tolerances) {
   return guarded("compare", [&]() -> Expected<Comparison> {
     if (auto error = refused(a, b, tolerances)) return Failure{std::move(*error)};
+    const DoublePrecision doubles;
     return compare_checked(a, b, tolerances);
   });
 }
@@ -185,6 +187,7 @@ Expected<Comparison> compare(const Mesh& a, const Mesh& b, std::span<const Toler
     if (auto what = counts_differ(a, b)) return differ(std::move(*what));
     const ComparedMesh first(a, tolerances), second(b, tolerances);
     if (auto what = attributes_differ(first, second)) return differ(std::move(*what));
+    const DoublePrecision doubles;
     std::vector<double> errors;
     auto wrong = renumbering_fails(first, second, renumbering, errors);
     if (!wrong) return Failure{wrong.error()};

@@ -6,6 +6,9 @@
 #include <utility>
 
 #include "codec/attributes/integer_planes.h"
+#include "codec/attributes/mixed_coder.h"
+#include "codec/attributes/named_values_decoder.h"
+#include "codec/attributes/ordered_integers.h"
 #include "codec/attributes/planes.h"
 #include "codec/attributes/ranks.h"
 
@@ -41,6 +44,25 @@ Rows make_rows(const AttributeHeader& header, std::size_t count) {
   const std::size_t n = count * header.attribute.components;
   if (header.narrow) return std::vector<std::int32_t>(n);
   return std::vector<std::int64_t>(n);
+}
+
+/// Integers of residuals, or of what codes them along the surface.
+template <class Int>
+Expected<Done> finish_integers(const AttributeHeader& header, OrderPredictor predictor,
+                               std::span<const std::byte> coded, std::uint64_t at,
+                               const CodedSurface& surface, const Lattice<Int>& lattice) {
+  if (header.coder == Coder::mixed) return decode_mixed(coded, at, surface, lattice);
+  if (header.coder == Coder::named)
+    return decode_named_values(coded, at, lattice.axes, surface_of(header.attribute, surface),
+                               lattice.rows);
+  const std::vector<Axis> axes = with_ranks(lattice.axes);
+  const Lattice<Int> ranks{lattice.rows, axes};
+  const auto ok = header.coder == Coder::planes
+                      ? add_to_integers(header.predictor, surface, at, ranks)
+                      : add_steps(predictor, surface_of(header.attribute, surface), at, ranks);
+  if (!ok) return ok;
+  ranks_to_integers(lattice);
+  return Done{};
 }
 
 }  // namespace
@@ -85,10 +107,16 @@ Expected<BegunAttribute> begin_attribute(std::span<const std::byte> bytes, std::
   if (!header.begins_without_faces()) return begun;
   begun.rows = make_rows(header, static_cast<std::size_t>(count));
   const auto coded = bytes.subspan(begun.position);
+  const std::uint64_t coded_at = at + begun.position;
+  const std::vector<Axis> axes = with_ranks(begun.numbers->numbers().axes);
   const auto ok = std::visit(
       [&](auto& rows) -> Expected<Done> {
-        return unpack_integers(coded, at + begun.position, header.attribute.components,
-                               std::span(rows));
+        const Lattice lattice{std::span(rows), std::span<const Axis>(axes)};
+        if (header.coder == Coder::planes) return unpack_integers(coded, coded_at, lattice);
+        auto predictor = decode_residuals(coded, coded_at, lattice);
+        if (!predictor) return Failure{predictor.error()};
+        begun.predictor = *predictor;
+        return Done{};
       },
       begun.rows);
   if (!ok) return Failure{ok.error()};
@@ -103,13 +131,14 @@ Expected<Attribute> finish_attribute(std::span<const std::byte> bytes, std::uint
     begun.rows = make_rows(header, static_cast<std::size_t>(count));
   const std::vector<Axis>& axes = begun.numbers->numbers().axes;
   const auto coded = bytes.subspan(begun.position);
+  const std::uint64_t coded_at = at + begun.position;
   Attribute attribute = header.attribute;
   const auto ok = std::visit(
       [&](auto& rows) -> Expected<Done> {
-        if (auto done = add_to_integers(header.predictor, surface, with_ranks(axes), at, rows);
+        const Lattice lattice{std::span(rows), std::span<const Axis>(axes)};
+        if (auto done = finish_integers(header, begun.predictor, coded, coded_at, surface, lattice);
             !done)
           return done;
-        ranks_to_integers(axes, std::span(rows));
         attribute.data.resize(static_cast<std::size_t>(count) * attribute.stride());
         return begun.numbers->to_values(rows, attribute.data);
       },
@@ -118,14 +147,20 @@ Expected<Attribute> finish_attribute(std::span<const std::byte> bytes, std::uint
   return attribute;
 }
 
-AttributeMemory decoding_memory(const AttributeHeader& header, std::uint64_t count) {
+AttributeMemory decoding_memory(const AttributeHeader& header, std::uint64_t count,
+                                std::uint64_t triangles) {
   const std::uint64_t size = count * header.attribute.stride();
   if (header.coder == Coder::words) return {size, size, 0};
   const std::uint64_t integers = count * header.attribute.components *
                                  (header.narrow ? sizeof(std::int32_t) : sizeof(std::int64_t)),
                       numbers = NumberReader::memory(header.attribute.components, count);
-  if (header.coder == Coder::planes) return {numbers + integers, integers, integers};
-  return {numbers + integers, integers, integers};
+  if (header.begins_without_faces())
+    return {numbers + integers, header.coder == Coder::planes ? integers : residuals_memory,
+            header.coder == Coder::planes ? integers : 0};
+  return {numbers, 0,
+          integers + (header.coder == Coder::named
+                          ? named_values_memory(count, header.attribute.components)
+                          : mixed_memory(count, triangles))};
 }
 
 }  // namespace clers::internal

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "codec/attributes/attribute_format.h"
+#include "codec/attributes/hexagon.h"
 #include "codec/attributes/lattice.h"
 #include "codec/attributes/number_decoder.h"
 #include "codec/connectivity/coded_surface.h"
@@ -32,8 +33,9 @@ Expected<std::string> describe_numbers(std::span<const std::byte> bytes, std::ui
 struct BegunAttribute {
   Bytes words;                          ///< residuals, of those that are no integers
   std::optional<NumberReader> numbers;  ///< of all others,
-  Rows rows;                            ///< with residuals, where these need no faces,
-  std::size_t position = 0;             ///< or they begin here
+  Rows rows;                            ///< with residuals, where these need no faces
+  OrderPredictor predictor = OrderPredictor::previous;  ///< of ordered ones
+  std::size_t position = 0;                             ///< where what codes the integers begins
 };
 /// Precondition: check_values. Errors: truncated, invalid. Throws std::bad_alloc only.
 Expected<BegunAttribute> begin_attribute(std::span<const std::byte> bytes, std::uint64_t at,
@@ -45,13 +47,14 @@ Expected<Attribute> finish_attribute(std::span<const std::byte> bytes, std::uint
                                      const AttributeHeader& header, std::uint64_t count,
                                      BegunAttribute begun, const CodedSurface& surface);
 
-/// Bytes that this takes, at most.
+/// Bytes that this takes, at most, along so many triangles.
 struct AttributeMemory {
   std::uint64_t begun = 0;      ///< what is in a BegunAttribute
   std::uint64_t beginning = 0;  ///< besides, while it is made
   std::uint64_t finishing = 0;  ///< besides it and the values, while they are made
 };
-AttributeMemory decoding_memory(const AttributeHeader& header, std::uint64_t count);
+AttributeMemory decoding_memory(const AttributeHeader& header, std::uint64_t count,
+                                std::uint64_t triangles);
 
 }  // namespace clers::internal
 

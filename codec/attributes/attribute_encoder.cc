@@ -7,7 +7,10 @@
 
 #include "codec/attributes/attribute_format.h"
 #include "codec/attributes/integer_planes.h"
+#include "codec/attributes/mixed_coder.h"
+#include "codec/attributes/named_values_encoder.h"
 #include "codec/attributes/number_encoder.h"
+#include "codec/attributes/ordered_integers.h"
 #include "codec/attributes/planes.h"
 #include "codec/attributes/ranks.h"
 
@@ -54,7 +57,7 @@ class AttributeEncoder {
     const auto ok =
         header_.narrow ? integers(numbered, numbered.narrow) : integers(numbered, numbered.wide);
     if (!ok) return Failure{ok.error()};
-    if (plan.systems.empty())
+    if (plan.systems.empty() && level_ >= 5)
       if (auto done = words(); !done) return Failure{done.error()};
     best_.info.count = attribute_.data.size() / attribute_.stride();
     best_.info.bytes = best_.bytes.size();
@@ -82,10 +85,22 @@ class AttributeEncoder {
   Expected<Done> integers(const NumberedValues& numbered, std::vector<Int>& rows) {
     const std::vector<Axis>& axes = numbered.numbers.axes;
     const std::string words = in_words(numbered.numbers);
-    integers_to_ranks(axes, std::span(rows));
+    const auto take = [&](Coder coder, const Bytes& coded) {
+      consider(coder, Predictor::none, numbered.bytes, coded, words);
+    };
+    const bool is_position =
+        attribute_.domain == Domain::vertex && attribute_.name == position_name && axes.size() == 3;
+    if (is_position && level_ == 9)
+      take(Coder::mixed, encode_mixed(surface_, Lattice<Int>{rows, axes}));
+    if (!is_position && level_ >= 5)
+      take(Coder::named,
+           encode_named_values(Lattice<Int>{rows, axes}, surface_of(attribute_, surface_)));
+    integers_to_ranks(Lattice<Int>{rows, axes});
     const std::vector<Axis> ranked = with_ranks(axes);
-    auto packed =
-        pack_integers(Lattice<const Int>{rows, ranked}, predictors_, surface_, zstd_level(level_));
+    const Lattice<const Int> ranks{rows, ranked};
+    take(Coder::ordered, encode_ordered(ranks, surface_of(attribute_, surface_)));
+    if (level_ < 5) return Done{};
+    auto packed = pack_integers(ranks, predictors_, surface_, zstd_level(level_));
     if (!packed) return Failure{packed.error()};
     consider(Coder::planes, packed->predictor, numbered.bytes, packed->frame, words);
     return Done{};

@@ -12,6 +12,7 @@
 #include "codec/attributes/number_system.h"
 #include "codec/attributes/prediction.h"
 #include "codec/base/utf8.h"
+#include "codec/connectivity/coded_surface.h"
 #include "codec/entropy/bytes.h"
 #include "codec/error.h"
 #include "codec/info.h"
@@ -21,18 +22,17 @@ namespace clers::internal {
 
 /// How values are written. The numbers are the file format's.
 enum class Coder : std::uint8_t {
-  words = 0,   ///< the words that values are stored as, by planes (planes.h)
-  planes = 1,  ///< all others write integers (lattice.h): by planes too,
-  prefix = 2,  ///< by a prefix code (level 1)
-  tables = 3,  ///< by a static table a component (level 3)
-  sized = 4,   ///< positions by contexts of sizes (levels 5, 7)
-  mixed = 5,   ///< positions by experts, mixed (level 9)
-  named = 6,   ///< anything else by contexts of sizes (levels 5 to 9)
+  words = 0,    ///< the words that values are stored as, by planes (planes.h)
+  planes = 1,   ///< all others write integers (lattice.h): by planes too,
+  ordered = 2,  ///< by static shares, along the order of triangles (levels 1, 3)
+  sized = 3,    ///< positions by contexts of sizes (levels 5, 7)
+  mixed = 4,    ///< positions by experts, mixed (level 9)
+  named = 5,    ///< anything else by contexts of sizes (levels 5 to 9)
 };
-inline constexpr unsigned coder_count = 7;
+inline constexpr unsigned coder_count = 6;
 
 constexpr const char* name(Coder c) {
-  constexpr const char* names[coder_count] = {"words", "planes", "prefix", "tables",
+  constexpr const char* names[coder_count] = {"words", "planes", "ordered",
                                               "sized", "mixed",  "named"};
   return names[static_cast<unsigned>(c)];
 }
@@ -63,7 +63,7 @@ struct AttributeHeader {
 
   bool in_planes() const { return coder == Coder::words || coder == Coder::planes; }
   /// Residuals can be read before there are faces.
-  bool begins_without_faces() const { return coder <= Coder::tables; }
+  bool begins_without_faces() const { return coder <= Coder::ordered; }
 };
 
 /// What must be decoded before values can be.
@@ -72,8 +72,7 @@ inline Along along(const AttributeHeader& header) {
   if (header.attribute.domain != Domain::vertex) return Along::nothing;
   if (header.in_planes())
     return header.predictor == Predictor::parallelogram ? Along::surface : Along::nothing;
-  return header.coder == Coder::prefix || header.coder == Coder::tables ? Along::surface
-                                                                        : Along::twins;
+  return header.coder == Coder::ordered ? Along::surface : Along::twins;
 }
 
 /// What a report says of it, by the header alone.
@@ -83,6 +82,11 @@ inline AttributeInfo info_of(const AttributeHeader& header) {
   info.coder = name(header.coder);
   info.error = header.error;
   return info;
+}
+
+/// The surface that values of the attribute are predicted along: none, if they are not of vertices.
+inline CodedSurface surface_of(const Attribute& attribute, const CodedSurface& surface) {
+  return attribute.domain == Domain::vertex ? surface : CodedSurface{};
 }
 
 inline void put_attribute_header(Bytes& out, const AttributeHeader& header) {

@@ -11,19 +11,12 @@
 namespace clers::internal {
 namespace {
 
-template <class T>
-WordOf<T> word_of(const ComponentView& view, std::size_t i) {
-  return word_at<WordOf<T>>(view.values.data(), i * view.components + view.component);
-}
-
 /// Integers: the greatest step that all differences are multiples of.
-template <class T>
-NumberSystem integer_steps(const ComponentView& view) {
+NumberSystem integer_steps(std::span<const std::uint64_t> keys) {
   NumberSystem system;
   std::uint64_t step = 0;
-  const std::uint64_t first = view.count() == 0 ? 0 : std::uint64_t(key_of<T>(word_of<T>(view, 0)));
-  for (std::size_t i = 0; i < view.count() && step != 1; ++i) {
-    const std::uint64_t key = key_of<T>(word_of<T>(view, i));
+  for (std::size_t i = 1; i < keys.size() && step != 1; ++i) {
+    const std::uint64_t key = keys[i], first = keys[0];
     const std::uint64_t d = key > first ? key - first : first - key;
     if (d != 0 && (step == 0 || d % step != 0)) step = std::gcd(step, d);
   }
@@ -56,16 +49,16 @@ template <class T>
 class Finder {
  public:
   using U = WordOf<T>;
-  explicit Finder(const ComponentView& view) {
-    const std::size_t count = view.count();
+  explicit Finder(std::span<const U> words) {
+    const std::size_t count = words.size();
     const std::size_t runs = count <= most_sampled ? 1 : 64;
     sample_.run = runs == 1 ? std::max<std::size_t>(count, 1) : most_sampled / runs;
     for (std::size_t r = 0; r < runs; ++r)
       for (std::size_t i = 0; i < std::min(sample_.run, count); ++i)
         sample_.words.push_back(
-            word_of<T>(view, (runs == 1 ? 0 : r * ((count - sample_.run) / (runs - 1))) + i));
+            words[(runs == 1 ? 0 : r * ((count - sample_.run) / (runs - 1))) + i]);
     for (std::size_t i = 0; i < count; ++i) {
-      const U m = magnitude(word_of<T>(view, i));
+      const U m = magnitude(words[i]);
       if (m < infinity) greatest_ = std::max(greatest_, m);
     }
   }
@@ -177,7 +170,7 @@ class Finder {
     s.divisor = divisor;
     if (divisor > std::uint64_t(most_exact)) return;
     propose(s);
-    const QuotientMap<T> map(s);
+    const QuotientMap<T> map(s, Scalar::float64);
     std::vector<std::int64_t> ns;
     for (const U word : sample_.words) {
       const NumberPlace at = map.locate(word);
@@ -237,19 +230,19 @@ class Finder {
 
 }  // namespace
 
-NumberSystem find_system(const ComponentView& view) {
-  return with_type(view.scalar, [&](auto type) -> NumberSystem {
-    using T = decltype(type);
-    if constexpr (!std::is_floating_point_v<T>) {
-      return integer_steps<T>(view);
-    } else {
-      const std::size_t count = view.count();
-      std::size_t equal = 1;
-      while (equal < count && word_of<T>(view, equal) == word_of<T>(view, 0)) ++equal;
-      if (equal >= count) return {};
-      return Finder<T>(view).find();
-    }
-  });
+template <class T>
+NumberSystem find_system(std::span<const WordOf<T>> words) {
+  if constexpr (std::is_same_v<T, Whole>) {
+    return integer_steps(words);
+  } else {
+    std::size_t equal = 1;
+    while (equal < words.size() && words[equal] == words[0]) ++equal;
+    return equal >= words.size() ? NumberSystem() : Finder<T>(words).find();
+  }
 }
+
+template NumberSystem find_system<float>(std::span<const std::uint32_t>);
+template NumberSystem find_system<double>(std::span<const std::uint64_t>);
+template NumberSystem find_system<Whole>(std::span<const std::uint64_t>);
 
 }  // namespace clers::internal

@@ -5,23 +5,18 @@
 #include <cstddef>
 #include <span>
 
-#include "codec/attributes/number_system.h"
+#include "codec/attributes/number_maps.h"
 
 namespace clers::internal {
 
-/// The numbers of one component among those of others.
-struct ComponentView {
-  std::span<const std::byte> values;
-  Scalar scalar;
-  std::size_t components, component;
-
-  std::size_t count() const { return values.size() / (components * size_of(scalar)); }
-};
-
-/// The system in which a sample of the numbers takes the fewest bits; all of them if they are few.
-/// `first` is an N that fits, not the least. Cost: linear in the number of values for types of
-/// integers; for floats constant, but for a look whether all are equal.
-NumberSystem find_system(const ComponentView& view);
+/// The system in which a sample of the numbers, of type T, takes the fewest bits; all of them if
+/// they are few. `first` is an N that fits, not the least. Cost: linear in the number of values for
+/// types of integers; for floats constant, but for a look whether all are equal.
+template <class T>
+NumberSystem find_system(std::span<const WordOf<T>> words);
+extern template NumberSystem find_system<float>(std::span<const std::uint32_t>);
+extern template NumberSystem find_system<double>(std::span<const std::uint64_t>);
+extern template NumberSystem find_system<Whole>(std::span<const std::uint64_t>);
 
 }  // namespace clers::internal
 

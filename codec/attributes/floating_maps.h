@@ -53,7 +53,7 @@ struct DigitsMap {
   static constexpr bool has_choices = true;
   static constexpr unsigned most_digits = 15;
 
-  explicit DigitsMap(const NumberSystem& s) : precision(s.precision), exponent(s.exponent) {
+  DigitsMap(const NumberSystem& s, Scalar) : precision(s.precision), exponent(s.exponent) {
     below.limit = std::bit_cast<U>(static_cast<T>(times_ten_to(1, exponent)));
   }
   unsigned more_digits(std::uint64_t m) const {
@@ -107,7 +107,7 @@ struct BinaryMap {
   static constexpr int least_exponent = Limits::min_exponent - Limits::digits;  ///< 2^it > 0
   static constexpr unsigned stored = Limits::digits - 1;  ///< bits of a mantissa that are stored
 
-  explicit BinaryMap(const NumberSystem& s) : precision(s.precision), exponent(s.exponent) {
+  BinaryMap(const NumberSystem& s, Scalar) : precision(s.precision), exponent(s.exponent) {
     below.limit = assemble(1, exponent);
   }
   /// The bits of m * 2^e. Preconditions: m has at most Limits::digits bits; the number is finite;
@@ -168,7 +168,7 @@ struct PrintedMap : PlainMap {
   static constexpr unsigned most_decimals = 18;
   static constexpr unsigned most_digits = 15;
 
-  explicit PrintedMap(const NumberSystem& s) : divisor(s.divisor) {
+  PrintedMap(const NumberSystem& s, Scalar) : divisor(s.divisor) {
     if (s.decimals) {
       last = s.precision;
       bounds.fill(~std::uint64_t(0));
@@ -205,15 +205,15 @@ struct PrintedMap : PlainMap {
 
 /// Calls use(map) with the map of a system of numbers of type T. Only floats have all maps.
 template <class T, class Use>
-auto with_map(const NumberSystem& system, Use&& use) {
-  if (system.map == NumberMap::affine) return use(AffineMap<T>(system));
+auto with_map(const NumberSystem& system, Scalar scalar, Use&& use) {
+  if (system.map == NumberMap::affine) return use(AffineMap<T>(system, scalar));
   if constexpr (std::is_floating_point_v<T>) {
-    if (system.map == NumberMap::quotient) return use(QuotientMap<T>(system));
-    if (system.map == NumberMap::digits) return use(DigitsMap<T>(system));
-    if (system.map == NumberMap::binary) return use(BinaryMap<T>(system));
-    if (system.map == NumberMap::printed) return use(PrintedMap<T>(system));
+    if (system.map == NumberMap::quotient) return use(QuotientMap<T>(system, scalar));
+    if (system.map == NumberMap::digits) return use(DigitsMap<T>(system, scalar));
+    if (system.map == NumberMap::binary) return use(BinaryMap<T>(system, scalar));
+    if (system.map == NumberMap::printed) return use(PrintedMap<T>(system, scalar));
   }
-  return use(WordMap<T>(system));
+  return use(WordMap<T>(system, scalar));
 }
 
 }  // namespace clers::internal

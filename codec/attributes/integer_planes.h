@@ -30,25 +30,25 @@ Expected<PackedPlanes> pack_integers(Lattice<const Int> lattice,
 /// Residuals into memory of just their size. Errors: invalid.
 template <class Int>
 Expected<Done> unpack_integers(std::span<const std::byte> packed, std::uint64_t at,
-                               std::size_t components, std::span<Int> rows) {
-  if (auto ok = check_frame(packed, at, rows.size_bytes(), "the values"); !ok) return ok;
-  return unpack_planes(packed, at, integer_shape<Int>(components), std::as_writable_bytes(rows));
+                               const Lattice<Int>& residuals) {
+  const auto rows = std::as_writable_bytes(residuals.rows);
+  if (auto ok = check_frame(packed, at, rows.size(), "the values"); !ok) return ok;
+  return unpack_planes(packed, at, integer_shape<Int>(residuals.axes.size()), rows);
 }
 
 /// Integers of residuals, in their place. Besides, takes as many bytes again. Errors: invalid.
 template <class Int>
-Expected<Done> add_to_integers(Predictor predictor, const CodedSurface& surface,
-                               std::span<const Axis> axes, std::uint64_t at,
-                               std::vector<Int>& rows) {
+Expected<Done> add_to_integers(Predictor predictor, const CodedSurface& surface, std::uint64_t at,
+                               const Lattice<Int>& lattice) {
+  const auto [rows, axes] = lattice;
   const WordShape shape = integer_shape<Int>(axes.size());
   if (in_order_of_values(predictor)) {
-    const auto bytes = std::as_writable_bytes(std::span(rows));
+    const auto bytes = std::as_writable_bytes(rows);
     add_predictions(predictor, shape, surface, bytes, bytes);
   } else {
-    const std::vector<Int> residuals = std::move(rows);
-    rows.assign(residuals.size(), 0);
+    const std::vector<Int> residuals(rows.begin(), rows.end());
     add_predictions(predictor, shape, surface, std::as_bytes(std::span(residuals)),
-                    std::as_writable_bytes(std::span(rows)));
+                    std::as_writable_bytes(rows));
   }
   for (std::size_t c = 0; c < axes.size(); ++c)
     for (std::size_t i = c; i < rows.size(); i += axes.size())

@@ -32,10 +32,10 @@ struct Context {
 /// Two sets of weights, whose logits are averaged, and a curve that refines the result.
 class Mixing {
  public:
-  static constexpr unsigned decisions = 16;
+  static constexpr unsigned decisions = 16, first_halving = 8;
 
   Mixing()
-      : weights_{std::vector<Row>(rows[0], first_row()), std::vector<Row>(rows[1], first_row())},
+      : weights_{first_rows(Context::misses), first_rows(Context::supports * Context::scales)},
         curves_(std::size_t(curves) * points) {
     for (std::size_t i = 0; i < curves_.size(); ++i)
       curves_[i] = static_cast<std::uint16_t>(logistic.squash((int(i % points) - 16) * 128));
@@ -74,17 +74,16 @@ class Mixing {
     const std::uint32_t share = (static_cast<unsigned>(p) + refined) / 4;
     const bool yes = coder.decide(std::clamp(share, 8u, rans::scale - 8), value);
 
-    const int target = yes ? 65536 : 0;
-    for (unsigned s = 0; s < 2; ++s) {
-      const int error = target - logistic.squash(logit[s]);
-      const int rate = static_cast<int>(rates_[w[s]->seen] >> 15);
-      w[s]->seen += w[s]->seen + 1 < most_seen;
+    const int error = (yes ? 65536 : 0) - p;
+    for (Row* const row : w) {
+      const int rate = static_cast<int>(rates_[row->seen] >> 15);
+      row->seen += row->seen + 1 < most_seen;
       const int step = (error * rate + 256) >> 9;
-      mixer::train(said.data(), w[s]->w.data(), experts,
+      mixer::train(said.data(), row->w.data(), experts,
                    static_cast<std::int16_t>(std::clamp(step, -32767, 32767)));
     }
     std::uint16_t& nearer = point[part >= 64];
-    nearer = static_cast<std::uint16_t>(nearer + (((yes ? 65535 : 0) - nearer) >> 6));
+    nearer = static_cast<std::uint16_t>(nearer + (((yes ? 65535 : 0) - nearer) >> 5));
     return yes;
   }
 
@@ -100,12 +99,29 @@ class Mixing {
   static constexpr unsigned curves =
       Context::components * Context::misses * Context::scales * decisions;
   static constexpr unsigned most_seen = 4096;
-  static constexpr std::uint32_t first_rate = 171798692, final_rate = 4294967;  ///< .08, .002
+  static constexpr std::uint32_t first_rate = 42949673, final_rate = 4294967;  ///< .02, .002
 
-  static Row first_row() {
-    Row r;
-    r.w.fill(mixer::one / 6);
-    return r;
+  /// What decisions learn on many meshes, in 1/256: by mode, and whether they are first, further
+  /// away or halve.
+  static constexpr std::int16_t first_weights[Context::modes][3][experts] = {
+      {{7, 63, 28, 45, 12, 0, 31, 0}, {34, 91, 16, 78, 28, 0, -9, 0}, {44, 56, 47, 47, 49, 0, 44, 0}},
+      {{-1, 55, 19, 25, -2, 202, 11, 0}, {9, 76, -28, 16, -4, 161, -25, 0}, {15, 20, 10, 16, 24, 103, 18, 0}},
+      {{-3, 52, 20, 69, -6, 128, 14, 113}, {11, 99, -5, 85, -4, 90, -36, 73}, {45, 45, 47, 48, 46, 49, 48, 60}},
+      {{0, 22, 25, 19, 8, 60, 8, 354}, {6, 31, -50, 20, -30, 51, -72, 237}, {25, 22, 31, 34, 33, 47, 34, 38}}};
+
+  /// Rows of weights, `contexts` of them for each component and mode.
+  static std::vector<Row> first_rows(unsigned contexts) {
+    std::vector<Row> all;
+    all.reserve(std::size_t(Context::components) * Context::modes * contexts * decisions);
+    for (unsigned of = 0; of < Context::components * Context::modes * contexts; ++of)
+      for (unsigned decision = 0; decision < decisions; ++decision) {
+        Row r;
+        const unsigned kind = decision == 0 ? 0 : decision < first_halving ? 1 : 2;
+        for (unsigned i = 0; i < experts; ++i)
+          r.w[i] = first_weights[of / contexts % Context::modes][kind][i] * (mixer::one / 256);
+        all.push_back(r);
+      }
+    return all;
   }
 
   std::array<std::vector<Row>, 2> weights_;

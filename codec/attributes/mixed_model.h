@@ -421,16 +421,15 @@ class Model {
           fixed::exp2(std::clamp(scale + frame_.finer * 256, 0, 28 * 256)) * 3 >> 16);
     };
     correction_.learn(place_ - corrected_, three(along_), three(across_));
-    remember(v, plain);
+    remember(v, plain, place_ - corrected_);
   }
 
-  void remember(std::uint32_t v, Vector residual) {
+  void remember(std::uint32_t v, Vector residual, Vector error) {
     Past& p = past_[v];
     int along, across;
     sizes(residual, along, across);
     const int shift = frame_.finer + coarser_;
-    const Vector r =
-        clamp(shift >= 0 ? residual >> shift : residual * (std::int64_t(1) << -shift), 0x7fffffff);
+    const Vector r = clamp(shift >= 0 ? error >> shift : error * (std::int64_t(1) << -shift), 0x7fffffff);
     for (unsigned i = 0; i < 3; ++i) {
       p.residual[i] = static_cast<std::int32_t>(r[i]);
       p.axis[i] = static_cast<std::int16_t>(size1(residual[i]));
@@ -473,7 +472,7 @@ class Model {
     }
     const Vector error = place_ - mean_;
     scale += static_cast<int>(excess(size(error), scale)) / 4;
-    remember(v, Vector{});
+    remember(v, Vector{}, Vector{});
     Past& p = past_[v];
     p.along = p.across = p.axis[0] = p.axis[1] = p.axis[2] =
         static_cast<std::int16_t>(edge_log_ - 512);

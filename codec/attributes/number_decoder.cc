@@ -2,8 +2,10 @@
 #include "codec/attributes/number_decoder.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
+#include "codec/attributes/component_words.h"
 #include "codec/attributes/refinements.h"
 #include "codec/base/portable.h"
 
@@ -21,22 +23,96 @@ Expected<Done> decode_refinements(const Stream& stream, RefinementCoding coding,
               "the refinements do not end where their bytes end");
 }
 
-/// The word of each entry of a palette that has its refinements.
+/// So many values are made at a time.
+constexpr std::size_t batch = 512;
+
+/// The integers of a component, some at a time.
+class Integers {
+ public:
+  template <class Int>
+  Integers(std::span<const Int> rows, std::size_t components, std::size_t component)
+      : components_(components), component_(component), count_(rows.size() / components) {
+    if constexpr (sizeof(Int) == 4)
+      narrow_ = rows.data();
+    else
+      wide_ = rows.data();
+  }
+  std::size_t count() const { return count_; }
+  void load(std::size_t begin, std::span<std::uint64_t> ks) const {
+    narrow_ != nullptr ? load(narrow_, begin, ks) : load(wide_, begin, ks);
+  }
+
+ private:
+  template <class Int>
+  void load(const Int* rows, std::size_t begin, std::span<std::uint64_t> ks) const {
+    const Int* k = rows + begin * components_ + component_;
+    for (std::size_t i = 0; i < ks.size(); ++i, k += components_)
+      ks[i] = static_cast<std::uint64_t>(*k);
+  }
+
+  const std::int32_t* narrow_ = nullptr;
+  const std::int64_t* wide_ = nullptr;
+  std::size_t components_, component_, count_;
+};
+
+/// Makes numbers of the integers of a component: word(k) is called for each, in their order.
+template <class U, class Word>
+void make_numbers(const Integers& integers, const Component& of, std::span<std::byte> values,
+                  const Word& word) {
+  std::array<std::uint64_t, batch> ks;
+  std::array<U, batch> words;
+  for (std::size_t begin = 0; begin < integers.count(); begin += batch) {
+    const std::size_t n = std::min(batch, integers.count() - begin);
+    integers.load(begin, std::span(ks).first(n));
+    for (std::size_t i = 0; i < n; ++i) words[i] = word(ks[i]);
+    store_words(std::span<const U>(words).first(n), of, begin, values);
+  }
+}
+
+/// Makes numbers of integers that leave something open.
 template <class T, class Map>
-Expected<std::vector<WordOf<T>>> refine_palette(const NumberSystem& s, const Map& map,
-                                                const std::vector<std::uint64_t>& palette,
-                                                RefinementCoding coding, const Stream& stream) {
-  std::vector<WordOf<T>> words(palette.size());
+Expected<Done> make_refined(const Integers& integers, const Component& of,
+                            std::span<std::byte> values, const NumberSystem& s, const Map& map,
+                            const std::vector<std::uint64_t>* palette, RefinementCoding coding,
+                            const Stream& stream) {
+  using U = WordOf<T>;
+  std::vector<U> entries;  // of the palette, if they are what is refined
+  const std::size_t refined = palette != nullptr ? palette->size() : integers.count();
   const auto done = decode_refinements(stream, coding, [&](auto& coder) {
-    RefinementCoder<Map> refinements(s, map, coding, palette.size());
-    for (std::size_t i = 0; i < palette.size(); ++i) {
-      const Refinement r = refinements.code(coder, palette[i], {});
-      words[i] = refined_word<T>(s, map, integer_of(s, palette[i], r.low), r.choice);
+    RefinementCoder<Map> refinements(s, map, coding, refined);
+    const auto word = [&](std::uint64_t k) {
+      const Refinement r = refinements.code(coder, k, {});
+      return refined_word<T>(s, map, integer_of(s, k, r.low), r.choice);
+    };
+    if (palette != nullptr)
+      for (const std::uint64_t k : *palette) entries.push_back(word(k));
+    else
+      make_numbers<U>(integers, of, values, word);
+    return std::string();
+  });
+  if (!done || palette == nullptr) return done;
+  make_numbers<U>(integers, of, values, [&](std::uint64_t k) {
+    const auto entry = std::lower_bound(palette->begin(), palette->end() - 1, k);
+    return entries[static_cast<std::size_t>(entry - palette->begin())];
+  });
+  return done;
+}
+
+/// Stores strays where they belong.
+template <class U>
+Expected<Done> put_strays(const Component& of, std::size_t count, std::span<std::byte> values,
+                          std::uint64_t strays, const Stream& stream) {
+  return decode_stream(stream, "the strays", [&](auto& coder) {
+    StrayCoder<U> coded;
+    for (std::uint64_t i = 0; i < strays; ++i) {
+      std::uint64_t index = 0;
+      U word = 0;
+      coded.code(coder, index, word);
+      if (index >= count) return std::string("a stray beyond the last value");
+      store_words(std::span<const U>(&word, 1), of, static_cast<std::size_t>(index), values);
     }
     return std::string();
   });
-  if (!done) return Failure{done.error()};
-  return words;
 }
 
 }  // namespace
@@ -80,61 +156,29 @@ std::uint64_t NumberReader::memory(std::size_t components, std::uint64_t count) 
   return components * (2 * of_component + count / 2 * 8) + count / 2 * 8 +
          RefinementCoder<PrintedMap<double>>::memory();
 }
-
 template <class Int>
 Expected<Done> NumberReader::make_values(std::span<const Int> rows,
                                          std::span<std::byte> values) const {
-  const std::size_t components = parts_.size(), count = rows.size() / components;
   const DoublePrecision doubles;
-  for (std::size_t c = 0; c < components; ++c) {
+  for (std::size_t c = 0; c < parts_.size(); ++c) {
+    const Component of = {numbers_.scalar, parts_.size(), c};
+    const Integers integers(rows, of.components, c);
     const NumberSystem& s = numbers_.systems[c];
     const Part& part = parts_[c];
-    const auto& palette = numbers_.axes[c].palette;
-    const auto k_of = [&](std::size_t i) {
-      return static_cast<std::uint64_t>(rows[i * components + c]);
-    };
-    const auto done = with_type(numbers_.scalar, [&](auto type) {
+    const auto done = with_number_type(of.scalar, [&](auto type) {
       using T = decltype(type);
       using U = WordOf<T>;
-      const auto set = [&](std::size_t i, U word) {
-        set_word(values.data(), i * components + c, word);
-      };
-      const auto mapped = with_map<T>(s, [&](const auto& map) -> Expected<Done> {
-        using Map = std::decay_t<decltype(map)>;
-        if (!has_refinements(s)) {
-          for (std::size_t i = 0; i < count; ++i) set(i, map.word(integer_of(s, k_of(i), 0), 0));
-          return Done{};
-        }
-        if (part.refined_palette) {
-          const auto words = refine_palette<T>(s, map, palette, part.coding, part.refinements);
-          if (!words) return Failure{words.error()};
-          for (std::size_t i = 0; i < count; ++i) {
-            const auto entry = std::lower_bound(palette.begin(), palette.end() - 1, k_of(i));
-            set(i, (*words)[static_cast<std::size_t>(entry - palette.begin())]);
-          }
-          return Done{};
-        }
-        return decode_refinements(part.refinements, part.coding, [&](auto& coder) {
-          RefinementCoder<Map> refinements(s, map, part.coding, count);
-          for (std::size_t i = 0; i < count; ++i) {
-            const Refinement r = refinements.code(coder, k_of(i), {});
-            set(i, refined_word<T>(s, map, integer_of(s, k_of(i), r.low), r.choice));
-          }
-          return std::string();
-        });
+      const auto made = with_map<T>(s, of.scalar, [&](const auto& map) {
+        if (has_refinements(s))
+          return make_refined<T>(integers, of, values, s, map,
+                                 part.refined_palette ? &numbers_.axes[c].palette : nullptr,
+                                 part.coding, part.refinements);
+        make_numbers<U>(integers, of, values,
+                        [&](std::uint64_t k) { return map.word(integer_of(s, k, 0), 0); });
+        return Expected<Done>(Done{});
       });
-      if (!mapped || part.strays == 0) return mapped;
-      return decode_stream(part.stray_numbers, "the strays", [&](auto& coder) {
-        StrayCoder<U> strays;
-        for (std::uint64_t i = 0; i < part.strays; ++i) {
-          std::uint64_t index = 0;
-          U word = 0;
-          strays.code(coder, index, word);
-          if (index >= count) return std::string("a stray beyond the last value");
-          set(static_cast<std::size_t>(index), word);
-        }
-        return std::string();
-      });
+      if (!made || part.strays == 0) return made;
+      return put_strays<U>(of, integers.count(), values, part.strays, part.stray_numbers);
     });
     if (!done) return done;
   }

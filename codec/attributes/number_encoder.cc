@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "codec/attributes/component_words.h"
 #include "codec/attributes/find_system.h"
 #include "codec/attributes/place_numbers.h"
 #include "codec/base/portable.h"
@@ -15,33 +16,36 @@
 namespace clers::internal {
 namespace {
 
+/// The least of all words.
 template <class T>
-WordOf<T> word_of(const ComponentView& view, std::size_t i) {
-  return word_at<WordOf<T>>(view.values.data(), i * view.components + view.component);
+std::uint64_t least_key(const std::vector<WordOf<T>>& words) {
+  std::uint64_t least = words.empty() ? 0 : ~std::uint64_t(0);
+  for (const auto word : words) least = std::min(least, std::uint64_t(key_of<T>(word)));
+  return least;
 }
 
-/// The least word that sorts below all others of the component.
 template <class T>
-std::uint64_t least_key(const ComponentView& view) {
-  std::uint64_t least = ~std::uint64_t(0);
-  for (std::size_t i = 0; i < view.count(); ++i)
-    least = std::min(least, std::uint64_t(key_of<T>(word_of<T>(view, i))));
-  return view.count() == 0 ? 0 : least;
+bool is_finite(WordOf<T> word) {
+  if constexpr (std::is_floating_point_v<T>)
+    return std::isfinite(std::bit_cast<T>(word));
+  else
+    return true;
 }
 
 template <class T, class Map>
-PlacedColumn place_column(const ComponentView& view, NumberSystem system, const Map& map) {
+PlacedColumn place_column(const std::vector<WordOf<T>>& numbers, NumberSystem system,
+                          const Map& map) {
   constexpr bool words = std::is_same_v<Map, WordMap<T>>;
   PlacedColumn column;
-  if (words) system.first = static_cast<std::int64_t>(least_key<T>(view));
+  if (words) system.first = static_cast<std::int64_t>(least_key<T>(numbers));
   const Placing<T, Map> placing(system, map);
-  const std::size_t count = view.count();
+  const std::size_t count = numbers.size();
   column.ks.resize(count);
   if (has_refinements(system)) column.choices.resize(count);
   std::int64_t least = 0, greatest = 0;
   bool any = false;
   for (std::size_t i = 0; i < count; ++i) {
-    const auto word = word_of<T>(view, i);
+    const auto word = numbers[i];
     const PlacedNumber p = placing.place(word);
     column.ks[i] = static_cast<std::uint64_t>(p.k);
     if (!p.exact) {
@@ -66,7 +70,7 @@ PlacedColumn place_column(const ComponentView& view, NumberSystem system, const 
       auto k = static_cast<std::int64_t>(column.ks[i]);
       if (next_stray < column.strays.size() && column.strays[next_stray].index == i) {
         ++next_stray;
-        const bool finite = std::isfinite(double(std::bit_cast<T>(word_of<T>(view, i))));
+        const bool finite = is_finite<T>(numbers[i]);
         k = finite || i == 0 ? std::clamp(k, least, greatest)
                              : static_cast<std::int64_t>(column.ks[i - 1]) + least;
       }
@@ -259,11 +263,11 @@ NumberedValues put_into_systems(std::span<const std::byte> values, Scalar scalar
   const std::size_t components = systems.size();
   std::vector<EncodedColumn> columns;
   for (std::size_t c = 0; c < components; ++c) {
-    const ComponentView view = {values, scalar, components, c};
-    columns.push_back(with_type(scalar, [&](auto type) {
+    columns.push_back(with_number_type(scalar, [&](auto type) {
       using T = decltype(type);
-      return with_map<T>(systems[c], [&](const auto& map) {
-        return encode_column<T>(place_column<T>(view, systems[c], map), map, level);
+      const auto numbers = words_of<T>(values, {scalar, components, c});
+      return with_map<T>(systems[c], scalar, [&](const auto& map) {
+        return encode_column<T>(place_column<T>(numbers, systems[c], map), map, level);
       });
     }));
   }
@@ -287,7 +291,10 @@ NumberedValues number_values(std::span<const std::byte> values, Scalar scalar,
   const DoublePrecision doubles;
   std::vector<NumberSystem> systems;
   for (std::size_t c = 0; c < components; ++c)
-    systems.push_back(find_system({values, scalar, components, c}));
+    systems.push_back(with_number_type(scalar, [&](auto type) {
+      using T = decltype(type);
+      return find_system<T>(words_of<T>(values, {scalar, components, c}));
+    }));
   return put_into_systems(values, scalar, std::move(systems), level);
 }
 

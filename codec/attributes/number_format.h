@@ -47,74 +47,86 @@ inline std::int64_t integer_of(const NumberSystem& s, std::uint64_t k, std::uint
 /// The greatest |N| that a map takes. Precondition: the other fields are checked.
 template <class T>
 std::int64_t most_integer(const NumberSystem& s) {
-  using Limits = std::numeric_limits<T>;
-  if (s.map == NumberMap::affine && std::is_floating_point_v<T>) {
-    const double room = double(Limits::max()) / 2 - std::fabs(s.origin);
-    return room > 0 ? std::max<std::int64_t>(nearest_integer(room / s.length) - 1, 0) : 0;
+  if constexpr (std::is_floating_point_v<T>) {
+    using Limits = std::numeric_limits<T>;
+    if (s.map == NumberMap::affine) {
+      const double room = double(Limits::max()) / 2 - std::fabs(s.origin);
+      return room > 0 ? std::max<std::int64_t>(nearest_integer(room / s.length) - 1, 0) : 0;
+    }
+    if (s.map == NumberMap::binary) {
+      const int bits = std::min(Limits::digits, Limits::max_exponent - s.exponent);
+      return (std::int64_t(1) << bits) - 1;
+    }
+    if (s.map == NumberMap::printed) return PrintedMap<T>::most_integer(s);
   }
-  if (s.map == NumberMap::binary) {
-    const int bits = std::min(Limits::digits, Limits::max_exponent - s.exponent);
-    return (std::int64_t(1) << bits) - 1;
-  }
-  if (s.map == NumberMap::printed) return PrintedMap<T>::most_integer(s);
   return most_exact;
 }
 
-/// What is wrong with a column, "" if nothing is: then no integer in 0 .. top and no choice of its
-/// refinement leads out of what its map takes.
+/// What is wrong with the map of floats of type T; "" if nothing is.
 template <class T>
-std::string fault_of(const NumberColumn& column) {
+std::string fault_of_map(const NumberSystem& s) {
   using Limits = std::numeric_limits<T>;
-  const NumberSystem& s = column.system;
-  const std::uint64_t top = column.axis.top;
-  const bool is_float = std::is_floating_point_v<T>;
-  if (top > most_wide) return "a greatest integer of " + std::to_string(top);
-  if (column.axis.scale == 0 || column.axis.scale > 65535)
-    return "a scale of " + std::to_string(column.axis.scale);
-  if (s.step == 0) return "steps of 0";
-  if (s.low_bits > 63 || static_cast<unsigned>(std::bit_width(top)) + s.low_bits > 64)
-    return std::to_string(s.low_bits) + " low bits";
-  if (s.map == NumberMap::word)
-    return s.ulps > 0 || s.signed_zero ? "words with refinements of their own" : "";
-  if (!is_float && s.map != NumberMap::affine) return "a number system that is not for integers";
-  if ((s.signed_zero && (s.ulps > 0 || !is_float)) || (s.ulps > 0 && !is_float))
-    return "refinements that numbers of this type do not have";
   switch (s.map) {
-    case NumberMap::quotient:
+    case NumberMap::word: break;
+    case NumberMap::affine: break;
     case NumberMap::printed:
+      if (s.precision > (s.decimals ? PrintedMap<T>::most_decimals : PrintedMap<T>::most_digits) ||
+          (s.precision == 0 && !s.decimals))
+        return std::to_string(s.precision) + " printed digits";
+      [[fallthrough]];
+    case NumberMap::quotient:
       if (s.divisor == 0 || s.divisor > std::uint64_t(most_exact))
         return "a divisor of " + std::to_string(s.divisor);
-      if (s.map == NumberMap::printed &&
-          (s.precision > (s.decimals ? PrintedMap<T>::most_decimals : PrintedMap<T>::most_digits) ||
-           (s.precision == 0 && !s.decimals)))
-        return std::to_string(s.precision) + " printed digits";
       break;
-    case NumberMap::affine: {
-      // No intermediate result is so small that it is rounded in another place than others are.
-      const double least = 0x1p-900, most = 0x1p900;
-      if (!(s.length >= least && s.length <= most)) return "steps of no length";
-      if (!(std::fabs(s.origin) <= most) || (s.origin != 0 && std::fabs(s.origin) < least))
-        return "an origin out of range";
-      break;
-    }
     case NumberMap::digits:
       if (s.precision == 0 || s.precision > DigitsMap<T>::most_digits)
         return std::to_string(s.precision) + " digits";
       if (std::abs(int(s.exponent)) > int(most_tens))
         return "a decimal exponent of " + std::to_string(s.exponent);
       break;
-    default:
+    case NumberMap::binary:
       if (s.precision == 0 || s.precision > Limits::digits)
         return std::to_string(s.precision) + " bits";
       if (s.exponent < BinaryMap<T>::least_exponent || s.exponent >= Limits::max_exponent)
         return "an exponent of " + std::to_string(s.exponent);
+      break;
   }
-  if ((s.map == NumberMap::digits || s.map == NumberMap::binary) && (s.ulps > 0 || s.signed_zero))
-    return "digits with other refinements besides";
+  const bool own =
+      s.map == NumberMap::word || s.map == NumberMap::digits || s.map == NumberMap::binary;
+  if ((own || s.ulps > 0) && (s.signed_zero || (own && s.ulps > 0)))
+    return "refinements that its numbers do not have";
+  return "";
+}
+
+/// What is wrong with a column, "" if nothing is: then no integer in 0 .. top and no choice of its
+/// refinement leads out of what its map takes.
+template <class T>
+std::string fault_of(const NumberColumn& column) {
+  const NumberSystem& s = column.system;
+  const std::uint64_t top = column.axis.top;
+  if (top > most_wide) return "a greatest integer of " + std::to_string(top);
+  if (column.axis.scale == 0 || column.axis.scale > 65535)
+    return "a scale of " + std::to_string(column.axis.scale);
+  if (s.step == 0) return "steps of 0";
+  if (s.low_bits > 63 || static_cast<unsigned>(std::bit_width(top)) + s.low_bits > 64)
+    return std::to_string(s.low_bits) + " low bits";
+  if constexpr (std::is_floating_point_v<T>) {
+    if (std::string fault = fault_of_map<T>(s); !fault.empty()) return fault;
+  } else if (s.signed_zero || s.ulps > 0 ||
+             (s.map != NumberMap::word && s.map != NumberMap::affine)) {
+    return "a number system that is not for integers";
+  }
+  if (s.map == NumberMap::word) return "";
+  if (s.map == NumberMap::affine) {
+    // No intermediate result is so small that it is rounded in another place than others are.
+    const double least = 0x1p-900, most = 0x1p900;
+    if (!(s.length >= least && s.length <= most)) return "steps of no length";
+    if (!(std::fabs(s.origin) <= most) || (s.origin != 0 && std::fabs(s.origin) < least))
+      return "an origin out of range";
+  }
   const std::uint64_t last = top << s.low_bits | ((std::uint64_t(1) << s.low_bits) - 1);
-  const std::uint64_t span = 2 * std::uint64_t(most_exact);
   const std::int64_t most = most_integer<T>(s);
-  if (last > span / s.step || s.first < -most ||
+  if (last > 2 * std::uint64_t(most) / s.step || s.first < -most ||
       s.first > most - static_cast<std::int64_t>(last * s.step))
     return "integers beyond what numbers of this type have";
   return "";
@@ -202,7 +214,8 @@ inline Expected<NumberColumn> read_column(ByteReader& in, Scalar scalar, std::ui
   if (exponent < -2000 || exponent > 2000) return invalid("an exponent out of range");
   s.exponent = static_cast<std::int16_t>(exponent);
   column.axis.scale = static_cast<std::uint32_t>(std::min<std::uint64_t>(scale, 65536));
-  if (std::string fault = with_type(scalar, [&](auto t) { return fault_of<decltype(t)>(column); });
+  if (std::string fault =
+          with_number_type(scalar, [&](auto t) { return fault_of<decltype(t)>(column); });
       !fault.empty())
     return invalid(fault);
   if (flag(palette) && (entries == 0 || entries > count / 2 || entries > column.axis.top))

@@ -40,21 +40,33 @@ inline double times_ten_to(std::uint64_t m, int e) {
   return e < 0 ? v / tens[static_cast<unsigned>(-e)] : v * tens[static_cast<unsigned>(e)];
 }
 
-/// The unsigned integer that has the size of T.
+/// Stands for all types of integers, as float and double do for themselves.
+struct Whole {};
+
+/// What the bits of a number are kept in. Integers have 64 of them, which sort like the numbers,
+/// from 0 on: see key_mask.
 template <class T>
-using WordOf = std::conditional_t<
-    sizeof(T) == 1, std::uint8_t,
-    std::conditional_t<sizeof(T) == 2, std::uint16_t,
-                       std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>>>;
+using WordOf = std::conditional_t<std::is_same_v<T, float>, std::uint32_t, std::uint64_t>;
+
+/// Returns use(T()) with float, double or Whole.
+template <class Use>
+auto with_number_type(Scalar scalar, Use&& use) {
+  if (scalar == Scalar::float32) return use(float{});
+  if (scalar == Scalar::float64) return use(double{});
+  return use(Whole{});
+}
+
+/// What makes an integer that sorts of the bits of a signed one, and the other way round.
+inline std::uint64_t key_mask(Scalar scalar) {
+  const bool is_signed = !is_float(scalar) && static_cast<unsigned>(scalar) % 2 == 0;
+  return is_signed ? std::uint64_t(1) << (8 * size_of(scalar) - 1) : 0;
+}
 
 /// An unsigned integer that sorts like the number with these bits.
 template <class T>
 WordOf<T> key_of(WordOf<T> bits) {
-  using U = WordOf<T>;
   if constexpr (std::is_floating_point_v<T>)
     return to_ordered(bits);
-  else if constexpr (std::is_signed_v<T>)
-    return static_cast<U>(bits ^ U(1) << (std::numeric_limits<U>::digits - 1));
   else
     return bits;
 }
@@ -64,7 +76,7 @@ WordOf<T> of_key(WordOf<T> key) {
   if constexpr (std::is_floating_point_v<T>)
     return from_ordered(key);
   else
-    return key_of<T>(key);
+    return key;
 }
 
 /// The bits of a number without its sign.
@@ -104,7 +116,7 @@ struct Choices {
 template <class T>
 struct WordMap : PlainMap {
   using U = WordOf<T>;
-  explicit WordMap(const NumberSystem&) {}
+  WordMap(const NumberSystem&, Scalar) {}
   U word(std::int64_t n, std::uint64_t) const { return of_key<T>(static_cast<U>(n)); }
   NumberPlace locate(U bits) const {
     return {static_cast<std::int64_t>(std::uint64_t(key_of<T>(bits))), 0};
@@ -114,7 +126,7 @@ struct WordMap : PlainMap {
 template <class T>
 struct QuotientMap : PlainMap {
   using U = WordOf<T>;
-  explicit QuotientMap(const NumberSystem& s) : divisor(double(s.divisor)) {}
+  QuotientMap(const NumberSystem& s, Scalar) : divisor(double(s.divisor)) {}
   U word(std::int64_t n, std::uint64_t) const {
     return std::bit_cast<U>(static_cast<T>(double(n) / divisor));
   }
@@ -124,32 +136,42 @@ struct QuotientMap : PlainMap {
   double divisor;
 };
 
-/// The number of type T that is nearest to v. Integers: halves up, and none beyond the last.
-template <class T>
-T nearest_number(double v) {
-  if constexpr (std::is_floating_point_v<T>) {
-    return static_cast<T>(v);
-  } else {
-    using Limits = std::numeric_limits<T>;
-    v = std::floor(v + .5);
-    if (v >= 2. * double(std::uint64_t(1) << (Limits::digits - 1))) return Limits::max();
-    if (!(v > double(Limits::min()))) return Limits::min();
-    return static_cast<T>(v);
-  }
-}
-
 template <class T>
 struct AffineMap : PlainMap {
   using U = WordOf<T>;
-  explicit AffineMap(const NumberSystem& s) : origin(s.origin), length(s.length) {}
-  double value(std::int64_t n) const { return origin + double(n) * length; }
+  AffineMap(const NumberSystem& s, Scalar) : origin(s.origin), length(s.length) {}
   U word(std::int64_t n, std::uint64_t) const {
-    return std::bit_cast<U>(nearest_number<T>(value(n)));
+    return std::bit_cast<U>(static_cast<T>(origin + double(n) * length));
   }
   NumberPlace locate(U bits) const {
     return {nearest_integer((double(std::bit_cast<T>(bits)) - origin) / length), 0};
   }
   double origin, length;
+};
+
+/// To integers: halves up, and none beyond the first or last of the type.
+template <>
+struct AffineMap<Whole> : PlainMap {
+  using U = std::uint64_t;
+  AffineMap(const NumberSystem& s, Scalar scalar)
+      : origin(s.origin),
+        length(s.length),
+        zero(key_mask(scalar)),
+        last(~std::uint64_t(0) >> (64 - 8 * size_of(scalar))),
+        beyond(double(last - zero) + 1) {}
+  U word(std::int64_t n, std::uint64_t) const {
+    const double v = std::floor(origin + double(n) * length + .5);
+    if (v >= beyond) return last;
+    if (v >= 0) return zero + static_cast<U>(v);
+    return -v >= double(zero) ? 0 : zero - static_cast<U>(-v);
+  }
+  NumberPlace locate(U bits) const {
+    const double v = bits < zero ? -double(zero - bits) : double(bits - zero);
+    return {nearest_integer((v - origin) / length), 0};
+  }
+  double origin, length;
+  U zero, last;  ///< what 0 and the last are
+  double beyond;
 };
 
 }  // namespace clers::internal

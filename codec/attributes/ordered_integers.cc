@@ -39,14 +39,17 @@ std::uint64_t cost_of(const Counts& counts) {
   return all == 0 ? 0 : cost + all * log2_of(all);
 }
 
-/// What a step predicts of a component, modulo the word. `rows` begin at it.
+/// What a step predicts of a component, and more, modulo the word. `rows` begin at it. The value
+/// that is added last mostly is the one before, which may just have been computed.
 template <class Int>
 CLERS_ALWAYS_INLINE std::make_unsigned_t<Int> predicted(const Int* rows, std::size_t components,
-                                                        const Step<std::uint32_t>& step) {
+                                                        const Step<std::uint32_t>& step,
+                                                        std::make_unsigned_t<Int> more = 0) {
   using U = std::make_unsigned_t<Int>;
   const auto at = [&](std::uint32_t v) { return static_cast<U>(rows[v * components]); };
   const Int way = static_cast<Int>(at(step.to) - at(step.origin));
-  return at(step.from) + static_cast<U>(way >> step.halving);
+  more += static_cast<U>(way >> step.halving);
+  return more + at(step.from);
 }
 template <class Int>
 CLERS_ALWAYS_INLINE Int residual_of(const Int* rows, std::size_t components, std::size_t v,
@@ -55,24 +58,43 @@ CLERS_ALWAYS_INLINE Int residual_of(const Int* rows, std::size_t components, std
   return static_cast<Int>(static_cast<U>(rows[v * components]) - predicted(rows, components, step));
 }
 
+/// Residuals of values begin .. end - 1 and their classes, which are counted.
+template <class Int, class Components>
+void find_residuals(const Lattice<const Int>& values, Components components, Steps& steps,
+                    std::size_t begin, std::size_t end, std::span<Int> residuals,
+                    std::uint8_t* classes, std::vector<Counts>& counts) {
+  const Int* rows = values.rows.data();
+  Int* out = residuals.data();
+  if (begin == 0) out = std::copy_n(rows, std::size_t(components), out);
+  for_each_step(steps, begin, end, [&](std::size_t v, auto step) {
+    for (std::size_t c = 0; c < components; ++c)
+      *out++ = residual_of(rows + c, components, v, step);
+  });
+  classes_of(std::span<const Int>(residuals), classes);
+  for (std::size_t i = 0; i < residuals.size(); i += components)
+    for (std::size_t c = 0; c < components; ++c) ++counts[c][classes[i + c]];
+}
+
 /// The predictor that costs least, by samples.
 template <class Int, class Components>
 OrderPredictor choose(const Lattice<const Int>& values, Components components,
                       const CodedSurface& surface) {
-  constexpr std::size_t run = 64, runs = 128;
-  const std::size_t count = values.count();
-  const std::size_t stride = std::max<std::size_t>(run, count / runs);
+  constexpr std::size_t run = 64, runs = 32;
+  const std::size_t count = values.count(), stride = std::max(run, count / runs);
+  std::vector<Int> residuals(run * components);
+  std::vector<std::uint8_t> classes(residuals.size());
   OrderPredictor best = OrderPredictor::hexagon;
   std::uint64_t least = ~std::uint64_t(0);
   for (unsigned p = order_predictors; p-- > 0;) {
     const OrderPredictor predictor = static_cast<OrderPredictor>(p);
     Steps steps(surface, predictor);
     std::vector<Counts> counts(components, Counts{});
-    for (std::size_t begin = 0; begin < count; begin += stride)
-      for_each_step(steps, begin, std::min(count, begin + run), [&](std::size_t v, auto step) {
-        for (std::size_t c = 0; c < components; ++c)
-          ++counts[c][class_of(residual_of(values.rows.data() + c, components, v, step))];
-      });
+    for (std::size_t begin = 0; begin < count; begin += stride) {
+      const std::size_t end = std::min(count, begin + run);
+      find_residuals(values, components, steps, begin, end,
+                     std::span(residuals).first((end - begin) * components), classes.data(),
+                     counts);
+    }
     std::uint64_t cost = 0;
     for (const Counts& of_component : counts) cost += cost_of(of_component);
     if (cost < least) {
@@ -106,11 +128,11 @@ void for_each_abreast(std::span<const std::size_t> which, Use use) {
   if (which.size() - i == 1) use(std::array<std::size_t, 1>{which[i]});
 }
 
-/// Finer shares pay from some number of vertices on.
+/// Finer shares pay from some number of vertices on; above 2^10 next to nothing, and tables would
+/// no longer fit into a cache of 32 KiB.
 SharePrecision precision_for(std::size_t count) {
   if (count < 4096) return {9, 2};
-  if (count < 32768) return {10, 3};
-  return {11, count < 65536 ? 3u : 4u};
+  return {10, count < 65536 ? 3u : 4u};
 }
 
 /// Weights of the components that are coded; neighbours have the same where that takes least.
@@ -127,7 +149,7 @@ std::vector<Weights> weights_by_component(const std::vector<Counts>& counts,
       std::uint64_t own = cost_of(other);
       for (unsigned c = 0; c < residual_classes; ++c) {
         sum[c] += other[c];
-        if (other[c] != 0) own += 5 * 256;  // about what its weight takes
+        if (other[c] != 0) own += 4 * 256;  // about what its weight takes
       }
       const std::uint64_t both = cost_of(sum);
       if (both > cost + own) break;
@@ -155,18 +177,13 @@ Bytes encode_ordered(const Lattice<const Int>& values, const CodedSurface& surfa
   OrderPredictor predictor{};
   with_components(components, [&](auto n) {
     predictor = choose(values, n, surface);
-    const auto put = [&](std::size_t at, std::size_t c, Int residual) {
-      const unsigned k = class_of(residual);
-      residuals[at] = residual;
-      classes[at] = static_cast<std::uint8_t>(k);
-      ++counts[c][k];
-    };
-    for (std::size_t c = 0; c < n; ++c) put(c, c, values.rows[c]);
     Steps steps(surface, predictor);
-    for_each_step(steps, 0, count, [&](std::size_t v, auto step) {
-      for (std::size_t c = 0; c < n; ++c)
-        put(v * n + c, c, residual_of(values.rows.data() + c, n, v, step));
-    });
+    for (std::size_t begin = 0; begin < count; begin += Steps::most) {
+      const std::size_t end = std::min(count, begin + Steps::most);
+      find_residuals(values, n, steps, begin, end,
+                     std::span(residuals).subspan(begin * n, (end - begin) * n),
+                     classes.data() + begin * n, counts);
+    }
   });
 
   const SharePrecision precision = precision_for(count);
@@ -187,17 +204,12 @@ Bytes encode_ordered(const Lattice<const Int>& values, const CodedSurface& surfa
     constexpr std::size_t n = side_by_side.size();
     std::array<Shares, n> shares;
     std::array<std::uint64_t, n> raw{};
-    std::array<Bytes, n> bytes;
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t c = side_by_side[i];
       shares[i] = shares_of(weights[c], precision.log);
       for (unsigned k = 0; k < residual_classes; ++k) raw[i] += counts[c][k] * raw_bits(k);
     }
-    encode_abreast<Int, n>(residuals, classes, components, side_by_side, shares, raw, bytes);
-    for (const Bytes& stream : bytes) {
-      put_varint(out, stream.size());
-      put_bytes(out, stream);
-    }
+    encode_abreast<Int, n>(residuals, classes, components, side_by_side, shares, raw, out);
   });
   return out;
 }
@@ -273,7 +285,7 @@ Expected<Done> add_steps(OrderPredictor predictor, const CodedSurface& surface, 
     for_each_step(steps, 0, count, [&](std::size_t v, auto step) {
       for (std::size_t c = 0; c < n; ++c) {
         Int& value = values[v * n + c];
-        const U sum = static_cast<U>(value) + predicted(values + c, n, step);
+        const U sum = predicted(values + c, n, step, static_cast<U>(value));
         beyond |= sum > tops[c];
         value = static_cast<Int>(sum);
       }

@@ -24,7 +24,10 @@ namespace clers::internal {
 template <class Int>
 Bytes encode_ordered(const Lattice<const Int>& values, const CodedSurface& surface);
 
-/// Reads rows of residuals. Memory: 1 MiB at most, besides. `at` is the offset of `bytes` in the
+/// What decode_residuals takes at most.
+inline constexpr std::uint64_t residuals_memory = 1 << 20;
+
+/// Reads rows of residuals. Memory: residuals_memory at most. `at` is the offset of `bytes` in the
 /// file. Errors: truncated, invalid.
 template <class Int>
 Expected<OrderPredictor> decode_residuals(std::span<const std::byte> bytes, std::uint64_t at,

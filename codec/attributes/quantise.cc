@@ -6,12 +6,18 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
 
+#include "codec/attributes/find_system.h"
+#include "codec/attributes/floating_maps.h"
 #include "codec/attributes/number_maps.h"
+#include "codec/attributes/place_numbers.h"
 #include "codec/base/difference.h"
+#include "codec/base/portable.h"
 
 namespace clers::internal {
 namespace {
@@ -92,9 +98,9 @@ NumberSystem system_of(const Grid& grid, Scalar scalar, double largest) {
   if (!is_float(scalar) || grid.origin != 0) return system;
   // Steps of a fraction with small terms, as 3 / 100: rounded once only, so that decimals come out.
   const auto fraction = [&](double divisor) {
-    const double step = as_stored(grid.step * divisor);
-    return step == std::floor(step) && step >= 1 && step <= 1e6 &&
-           as_stored(step / divisor) == grid.step && largest * divisor < 0.5 * double(most_exact);
+    const double step = grid.step * divisor;
+    return step == std::floor(step) && step >= 1 && step <= 1e6 && step / divisor == grid.step &&
+           largest * divisor < 0.5 * double(most_exact);
   };
   for (const double divisor : {1., 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12,
                                std::round(1 / std::min(1., grid.step))}) {
@@ -102,26 +108,38 @@ NumberSystem system_of(const Grid& grid, Scalar scalar, double largest) {
     NumberSystem quotient;
     quotient.map = NumberMap::quotient;
     quotient.divisor = static_cast<std::uint64_t>(divisor);
-    quotient.step = static_cast<std::uint64_t>(as_stored(grid.step * divisor));
+    quotient.step = static_cast<std::uint64_t>(grid.step * divisor);
     return quotient;
   }
   return system;
+}
+
+/// What a number is to maps: a float, or a whole number of any type.
+template <class T>
+using NumberType = std::conditional_t<std::is_floating_point_v<T>, T, Whole>;
+
+template <class T>
+WordOf<NumberType<T>> word_of(T x) {
+  if constexpr (std::is_floating_point_v<T>)
+    return std::bit_cast<WordOf<T>>(x);
+  else
+    return static_cast<std::make_unsigned_t<T>>(x) ^ key_mask(scalar_of<T>());
+}
+template <class T>
+T number_of(WordOf<NumberType<T>> word) {
+  if constexpr (std::is_floating_point_v<T>)
+    return std::bit_cast<T>(word);
+  else
+    return static_cast<T>(static_cast<std::make_unsigned_t<T>>(word ^ key_mask(scalar_of<T>())));
 }
 
 /// Calls use with a function that gives point k of a grid.
 template <class T, class Use>
 auto with_points(const NumberSystem& system, Use use) {
   const auto step = static_cast<std::int64_t>(system.step);
-  const auto points = [step](const auto& map) {
-    return [step, &map](std::int64_t k) { return std::bit_cast<T>(map.word(k * step, 0)); };
-  };
-  if constexpr (std::is_floating_point_v<T>)
-    if (system.map == NumberMap::quotient) {
-      const QuotientMap<T> map(system);
-      return use(points(map));
-    }
-  const AffineMap<T> map(system);
-  return use(points(map));
+  return with_map<NumberType<T>>(system, scalar_of<T>(), [&](const auto& map) {
+    return use([step, &map](std::int64_t k) { return number_of<T>(map.word(k * step, 0)); });
+  });
 }
 
 /// The point of a grid that is nearest to a number, the lower of two. `k` is near it.
@@ -155,7 +173,7 @@ Moved<T> move_to(const std::vector<T>& numbers, const Grid& grid, bool keep_zero
   with_points<T>(system, [&](const auto& point) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const T x = numbers[i];
-      const double k = as_stored(as_stored(static_cast<double>(x) - grid.origin) / grid.step);
+      const double k = static_cast<double>(x) - grid.origin / grid.step;
       if (!(std::fabs(k) < most_steps)) {
         moved.too_far = i;
         return;
@@ -168,6 +186,28 @@ Moved<T> move_to(const std::vector<T>& numbers, const Grid& grid, bool keep_zero
     }
   });
   return moved;
+}
+
+/// The system that numbers are in already, if its points are at least as far apart as those of a
+/// grid: so they are fewer, and nothing is lost.
+template <class T>
+std::optional<NumberSystem> coarser_system(const std::vector<T>& numbers, double step) {
+  using Number = NumberType<T>;
+  std::vector<WordOf<Number>> words;
+  words.reserve(numbers.size());
+  for (const T x : numbers) words.push_back(word_of(x));
+  const NumberSystem found = find_system<Number>(words);
+  if (found.low_bits > 0 || found.ulps > 0) return std::nullopt;
+  if (found.map != (std::is_floating_point_v<T> ? NumberMap::quotient : NumberMap::word))
+    return std::nullopt;
+  const double apart = std::is_floating_point_v<T> ? spacing(found) : double(found.step);
+  if (!(apart >= step)) return std::nullopt;
+  const bool has_all = with_map<Number>(found, scalar_of<T>(), [&](const auto& map) {
+    const Placing<Number, std::decay_t<decltype(map)>> placing(found, map);
+    return std::all_of(words.begin(), words.end(),
+                       [&](auto word) { return placing.place(word).exact; });
+  });
+  return has_all ? std::optional(found) : std::nullopt;
 }
 
 /// What is left of the range without the `few` least and the `few` greatest numbers.
@@ -248,8 +288,7 @@ class Quantiser {
       return {precision_.origin.size() == 1 ? precision_.origin[0] : precision_.origin[c],
               precision_.size};
     const double steps = static_cast<double>((std::uint64_t(1) << precision_.bits) - 1);
-    const double step =
-        std::max(as_stored(longest_ / steps), std::numeric_limits<double>::denorm_min());
+    const double step = std::max(longest_ / steps, std::numeric_limits<double>::denorm_min());
     return {static_cast<double>(bounds_[c].least), longest_ == 0 ? 1 : step};
   }
 
@@ -266,7 +305,7 @@ class Quantiser {
       }
       return 0.;
     }();
-    for (const double size : {step, as_stored(step - 2 * unit)}) {
+    for (const double size : {step, step - 2 * unit}) {
       if (!(size > 0) || std::isinf(size)) break;
       auto quantised = move_all(std::vector<Grid>(numbers_.size(), Grid{0, size}), false);
       if (quantised && quantised->plan.error <= error) return quantised;
@@ -279,10 +318,15 @@ class Quantiser {
     if (!std::is_floating_point_v<T> && grids[0].step <= 1) return all;
     std::vector<std::vector<T>> moved;
     for (std::size_t c = 0; c < numbers_.size(); ++c) {
-      const NumberSystem system = system_of(grids[c], a_.scalar, bounds_[c].largest());
+      NumberSystem system = system_of(grids[c], a_.scalar, bounds_[c].largest());
       Moved<T> component = move_to(numbers_[c], grids[c], keep_zeros, system);
       if (component.too_far)
         return not_on_grid(a_, *component.too_far, "is too many steps away from the origin");
+      if (!keep_zeros || component.error == 0)
+        if (const auto coarser = coarser_system(numbers_[c], grids[c].step)) {
+          component = {numbers_[c], 0, std::nullopt};
+          system = *coarser;
+        }
       all.plan.error = std::max(all.plan.error, component.error);
       all.plan.systems.push_back(system);
       moved.push_back(std::move(component.numbers));
@@ -328,6 +372,7 @@ std::string precision_fault(const Precision& precision) {
 
 Expected<QuantisedValues> quantise(const AttributeView& attribute, const Precision& precision) {
   if (precision.kind == Kind::lossless) return QuantisedValues{};
+  const DoublePrecision doubles;
   const std::size_t origins = precision.origin.size();
   if (precision.kind == Kind::grid && origins != 1 && origins != attribute.components)
     return fail(ErrorCode::bad_option, "a grid of " + std::to_string(origins) +

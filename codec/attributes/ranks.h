@@ -23,7 +23,8 @@ inline std::vector<Axis> with_ranks(std::span<const Axis> axes) {
 
 /// Cost: a binary search an integer of a palette. Precondition: the palette has it.
 template <class Int>
-void integers_to_ranks(std::span<const Axis> axes, std::span<Int> rows) {
+void integers_to_ranks(const Lattice<Int>& lattice) {
+  const auto [rows, axes] = lattice;
   for (std::size_t c = 0; c < axes.size(); ++c) {
     const auto& palette = axes[c].palette;
     if (palette.empty()) continue;
@@ -35,7 +36,8 @@ void integers_to_ranks(std::span<const Axis> axes, std::span<Int> rows) {
 }
 /// Precondition: ranks are below the palettes' sizes.
 template <class Int>
-void ranks_to_integers(std::span<const Axis> axes, std::span<Int> rows) {
+void ranks_to_integers(const Lattice<Int>& lattice) {
+  const auto [rows, axes] = lattice;
   for (std::size_t c = 0; c < axes.size(); ++c) {
     const auto& palette = axes[c].palette;
     if (palette.empty()) continue;

@@ -64,47 +64,53 @@ inline bool all_zero(const Weights& weights) {
   return weights.size() == 1;
 }
 
-/// Writes components of rows, last row first. `classes` are those of the residuals.
+/// Writes components of rows, last row first: a stream each. `classes` are those of the residuals,
+/// `raw` the number of all their raw bits.
 template <class Int, std::size_t n>
 void encode_abreast(std::span<const Int> residuals, std::span<const std::uint8_t> classes,
                     std::size_t components, const std::array<std::size_t, n>& which,
-                    const std::array<Shares, n>& shares,
-                    const std::array<std::uint64_t, n>& all_raw_bits, std::array<Bytes, n>& out) {
+                    const std::array<Shares, n>& shares, const std::array<std::uint64_t, n>& raw,
+                    Bytes& out) {
   static constexpr std::array<Int, residual_classes> least = least_residuals<Int>();
   using U = std::make_unsigned_t<Int>;
   const std::size_t count = residuals.size() / components;
-  std::vector<tans::EncodeTable> tables;
-  std::vector<ReversedBitWriter> writers;
+  std::array<Bytes, n> memory;
+  std::vector<tans::EncodeTable<Int>> tables;
+  std::array<const tans::Step<Int>*, n> steps;
+  std::array<const std::uint16_t*, n> next;
+  std::array<ReversedBitWriter, n> writers;
   std::array<std::uint32_t, n> states;
+  tables.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
-    tables.emplace_back(shares[i]);
-    writers.emplace_back(all_raw_bits[i] + shares[i].log * (std::uint64_t(count) + 1));
+    const tans::EncodeTable<Int>& table = tables.emplace_back(shares[i], least, raw_bits);
+    steps[i] = table.steps();
+    next[i] = table.next();
+    memory[i].resize(
+        ReversedBitWriter::room(raw[i] + shares[i].log * (std::uint64_t(count) + 1) + 8));
+    writers[i] = ReversedBitWriter(memory[i]);
     states[i] = 1u << shares[i].log;
   }
   for (std::size_t row = count; row-- > 0;)
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t at = row * components + which[i];
-      const unsigned c = classes[at], raw = raw_bits(c);
+      const tans::Step<Int>& step = steps[i][classes[at]];
+      const std::uint32_t state = states[i];
+      const unsigned bits = (state + step.bits) >> 16;
+      states[i] = next[i][static_cast<std::ptrdiff_t>(state >> bits) + std::ptrdiff_t(step.begin)];
       const std::uint64_t mantissa =
-          static_cast<U>(static_cast<U>(residuals[at]) - static_cast<U>(least[c]));
-      ReversedBitWriter& writer = writers[i];
-      if (sizeof(Int) > 4 && raw > 32) {
-        writer.put(mantissa >> 32, raw - 32);
-        writer.flush();
-        writer.put(low_bits(mantissa, 32), 32);
-        writer.flush();
+          static_cast<U>(static_cast<U>(residuals[at]) - static_cast<U>(step.least));
+      if (sizeof(Int) > 4 && step.raw > 44) {
+        writers[i].put(mantissa >> 32, step.raw - 32);
+        writers[i].put(low_bits(mantissa, 32) << bits | low_bits(state, bits), 32 + bits);
       } else {
-        writer.put(mantissa, raw);
+        writers[i].put(mantissa << bits | low_bits(state, bits), step.raw + bits);
       }
-      unsigned bits = 0;
-      const std::uint32_t behind = states[i];
-      states[i] = tables[i].back(behind, c, bits);
-      writer.put(low_bits(behind, bits), bits);
-      writer.flush();
     }
   for (std::size_t i = 0; i < n; ++i) {
     writers[i].put(low_bits(states[i], shares[i].log), shares[i].log);
-    writers[i].finish(out[i]);
+    const std::span<const std::byte> stream = writers[i].finish();
+    put_varint(out, stream.size());
+    put_bytes(out, stream);
   }
 }
 
@@ -115,13 +121,13 @@ bool decode_abreast(const std::array<std::span<const std::byte>, n>& bytes,
                     const std::array<std::size_t, n>& which, std::span<Int> residuals) {
   static constexpr std::array<Int, residual_classes> least = least_residuals<Int>();
   using U = std::make_unsigned_t<Int>;
-  std::vector<tans::DecodeTable> tables;
-  std::array<const tans::Entry*, n> entries;
+  std::vector<tans::DecodeTable<Int>> tables;
+  std::array<const tans::Entry<Int>*, n> entries;
   std::array<ReversedBitReader, n> readers;
   std::array<std::uint32_t, n> states;
   tables.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
-    entries[i] = tables.emplace_back(shares[i], raw_bits).entries();
+    entries[i] = tables.emplace_back(shares[i], least, raw_bits).entries();
     readers[i] = ReversedBitReader(bytes[i]);
     states[i] = static_cast<std::uint32_t>(low_bits(readers[i].window(), shares[i].log));
     readers[i].take(shares[i].log);
@@ -132,22 +138,21 @@ bool decode_abreast(const std::array<std::span<const std::byte>, n>& bytes,
     std::array<std::uint32_t, n> state = states;
     for (; rows > 0; --rows, row += components)
       for (std::size_t i = 0; i < n; ++i) {
-        const tans::Entry entry = entries[i][state[i]];
+        const tans::Entry<Int>& entry = entries[i][state[i]];
         const std::uint64_t window = window_of(in[i]);
-        state[i] = entry.base() + static_cast<std::uint32_t>(low_bits(window, entry.bits()));
+        state[i] = entry.base + static_cast<std::uint32_t>(low_bits(window, entry.bits));
         std::uint64_t mantissa;
-        if (sizeof(Int) > 4 && entry.with_raw() > 56) {
-          const unsigned raw = entry.with_raw() - entry.bits();
-          mantissa = low_bits(window >> entry.bits(), 32);
-          in[i].take(entry.bits() + 32);
+        if (sizeof(Int) > 4 && entry.with_raw > 56) {
+          const unsigned raw = entry.with_raw - entry.bits;
+          mantissa = low_bits(window >> entry.bits, 32);
+          in[i].take(entry.bits + 32);
           mantissa |= low_bits(window_of(in[i]), raw - 32) << 32;
           in[i].take(raw - 32);
         } else {
-          mantissa = low_bits(window, entry.with_raw()) >> entry.bits();
-          in[i].take(entry.with_raw());
+          mantissa = low_bits(window, entry.with_raw) >> entry.bits;
+          in[i].take(entry.with_raw);
         }
-        row[which[i]] =
-            static_cast<Int>(static_cast<U>(least[entry.symbol()]) + static_cast<U>(mantissa));
+        row[which[i]] = static_cast<Int>(static_cast<U>(entry.least) + static_cast<U>(mantissa));
       }
     readers = in;
     states = state;

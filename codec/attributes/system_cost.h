@@ -45,7 +45,7 @@ struct NumberSample {
 template <class T>
 Cost cost_of(const NumberSystem& s, const NumberSample<WordOf<T>>& sample) {
   constexpr Cost of_stray = 256 * (8 * sizeof(T) + 12);
-  return with_map<T>(s, [&](const auto& map) {
+  return with_map<T>(s, Scalar::float64, [&](const auto& map) {
     using Map = std::decay_t<decltype(map)>;
     const Placing<T, Map> placing(s, map);
     std::array<std::uint64_t, 66> lengths = {};

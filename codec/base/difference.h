@@ -4,7 +4,6 @@
 #define CLERS_CODEC_BASE_DIFFERENCE_H
 
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -16,25 +15,19 @@
 
 namespace clers::internal {
 
-/// A double as memory holds it: some processors work with more bits than that.
-inline double as_stored(double x) {
-  if constexpr (FLT_EVAL_METHOD == 0) return x;
-  const volatile double stored = x;
-  return stored;
-}
-
-/// |a - b|, rounded to the nearest double: so it never falls where they move apart. NaNs are 0
-/// apart, and infinitely far from all else, as infinities are from what is not the same one.
+/// |a - b|, rounded to the nearest double (DoublePrecision, portable.h): so it never falls where
+/// they move apart. NaNs are 0 apart, and infinitely far from all else, as infinities are from what
+/// is not the same one.
 template <class T>
 double difference(T a, T b) {
   if (a == b) return 0;
   if constexpr (std::is_floating_point_v<T>) {
     if (std::isnan(a) && std::isnan(b)) return 0;
-    const double d = as_stored(std::fabs(static_cast<double>(a) - static_cast<double>(b)));
+    const double d = std::fabs(static_cast<double>(a) - static_cast<double>(b));
     return std::isnan(d) ? std::numeric_limits<double>::infinity() : d;
   } else {
     const auto x = static_cast<std::uint64_t>(a), y = static_cast<std::uint64_t>(b);
-    return as_stored(static_cast<double>(a > b ? x - y : y - x));
+    return static_cast<double>(a > b ? x - y : y - x);
   }
 }
 

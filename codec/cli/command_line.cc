@@ -11,6 +11,7 @@
 
 #include "codec/cli/commands.h"
 #include "codec/cli/files.h"
+#include "codec/cli/precision.h"
 #include "codec/cli/printable.h"
 #include "codec/cli/words.h"
 #include <clers/version.h>
@@ -177,6 +178,7 @@ class CommandLine {
             "Examples:\n"
             "  clers encode bunny.ply\n"
             "  clers encode -9 a.obj b.off c.stl -o packed/\n"
+            "  clers encode --positions q14 --attribute normal=q10 scan.ply\n"
             "  curl -s https://example.org/m.ply | clers encode --from ply - >m.clers");
     inputs(encode, "mesh files: ply, obj, off, stl");
     output(encode, "the .clers file, or a directory for several");
@@ -200,6 +202,31 @@ class CommandLine {
                 "default: {}, if there are more than {}",
                 default_piece_faces, most_faces_whole))
         ->option_text("N|never");
+    encode
+        .add_option(
+            "--positions",
+            [this](const CLI::results_t& values) {
+              add_precision("--positions", position_name, values.back());
+              return true;
+            },
+            "how exact they come back: lossless, the default; q<bits>, 1 to 30, for the longest "
+            "side; step<size>; error<size>, the largest; grid:<origin>:<step>, as grid:0,0,0:0.01")
+        ->option_text("HOW");
+    encode
+        .add_option(
+            "--attribute",
+            [this](const CLI::results_t& values) {
+              for (const std::string& value : values) {
+                const std::size_t equals = value.rfind('=');
+                if (equals == value.npos)
+                  refuse("--attribute", "a name and how exact, such as normal=q10", value);
+                add_precision("--attribute", value.substr(0, equals), value.substr(equals + 1));
+              }
+              return true;
+            },
+            "the same of another attribute, such as normal=q10; may be given for several")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->option_text("NAME=HOW");
     threads(encode);
     policy(encode, "--on-nonmanifold", options_.encode.on_nonmanifold,
            "reject: refuse edges of more than two faces, vertices of several fans, one-sided "
@@ -458,6 +485,12 @@ class CommandLine {
     else if (!parse(text, faces.emplace()) || faces == 0)
       refuse("--pieces", "a number of faces or never", text);
     return true;
+  }
+
+  void add_precision(const char* option, const std::string& name, const std::string& text) {
+    const auto precision = parse_precision(text);
+    if (!precision) refuse(option, precision_words, text);
+    options_.encode.precisions.push_back({name, *precision, {}});
   }
 
   // ---- What is wrong

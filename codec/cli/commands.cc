@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "codec/cli/each_input.h"
+#include "codec/cli/precision.h"
 
 namespace clers::cli {
 namespace {
@@ -70,6 +71,12 @@ Outcome<Done> encode_one(const Options& options, Job& job, const Destination& to
   how.progress = job.progress().callback();
   const auto encoded = clers::encode(file->meshes, how);
   if (!encoded) return stop(job.name(), encoded.error());
+  for (const Warning& warning : encoded->warnings)
+    job.note(job.name(),
+             (file->meshes.size() > 1 ? fmt::format("mesh {}: ", warning.mesh) : "") + warning.what,
+             false);
+  for (const FoundError& found : largest_errors(encoded->report))
+    job.note(job.name(), off_by(found), true);
   return job.save(*output, encoded->bytes);
 }
 

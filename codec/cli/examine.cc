@@ -2,13 +2,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
+#include <span>
 #include <utility>
 
 #include "codec/cli/commands.h"
 #include "codec/cli/each_input.h"
+#include "codec/cli/precision.h"
 #include "codec/cli/printable.h"
 #include "codec/cli/report.h"
 #include "codec/compare.h"
+#include "codec/decoder.h"
 
 namespace clers::cli {
 namespace {
@@ -50,13 +54,25 @@ class Reports {
   std::vector<std::string> files_;
 };
 
-/// Equal as arrays: no vertex, face or first corner is another.
-bool in_one_order(const Mesh& a, const Mesh& b) {
-  return a.corners == b.corners && a.face_sizes == b.face_sizes &&
-         std::equal(a.attributes.begin(), a.attributes.end(), b.attributes.begin(),
-                    b.attributes.end(), [](const Attribute& x, const Attribute& y) {
-                      return x.name == y.name && x.data == y.data;
-                    });
+/// Whether no vertex, face or first corner is another.
+bool in_one_order(const Mesh& a, const Mesh& b, std::span<const Tolerance> tolerances) {
+  if (a.corners != b.corners || a.face_sizes != b.face_sizes) return false;
+  Permutation same;
+  same.vertices.resize(a.vertex_count);
+  same.faces.resize(a.face_count());
+  std::iota(same.vertices.begin(), same.vertices.end(), 0u);
+  std::iota(same.faces.begin(), same.faces.end(), 0u);
+  same.first_corners.resize(a.face_count());
+  const auto result = compare(a, b, tolerances, same);
+  return result && result->verdict == Verdict::same;
+}
+
+/// What a file says of its values: those that are not bit for bit may be off by so much.
+std::vector<Tolerance> tolerances_of(const MeshInfo& mesh) {
+  std::vector<Tolerance> tolerances;
+  for (const FoundError& stated : largest_errors({&mesh, 1}))
+    tolerances.push_back({stated.attribute, stated.error, stated.domain});
+  return tolerances;
 }
 
 std::string meshes_of(std::size_t count) {
@@ -72,15 +88,22 @@ std::string metadata_differences(const std::vector<Mesh>& expected,
   return "";
 }
 
-/// Done if all meshes are the same.
-Outcome<Done> compare_all(Job& job, const std::vector<Mesh>& expected,
-                          const std::vector<Mesh>& found) {
+/// What is the same, once all meshes are.
+struct Sameness {
+  std::vector<FoundError> errors;  ///< the largest of any mesh
+  bool ordered = true;             ///< the order of elements too
+};
+
+Outcome<Sameness> compare_all(Job& job, const std::vector<Mesh>& expected,
+                              const std::vector<Mesh>& found, std::span<const MeshInfo> stated) {
   const std::string name = job.name();
   if (expected.size() != found.size())
     return stop(Exit::different, fmt::format("{}: differs: {}, the original has {}", name,
                                              meshes_of(found.size()), expected.size()));
+  Sameness same;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const auto result = compare(expected[i], found[i]);
+    const std::vector<Tolerance> tolerances = tolerances_of(stated[i]);
+    const auto result = compare(expected[i], found[i], tolerances);
     if (!result) return stop(name, result.error());
     job.progress().show(static_cast<double>(i + 1) / static_cast<double>(found.size()));
     const std::string mesh = found.size() > 1 ? fmt::format("mesh {}: ", i) : "";
@@ -90,8 +113,24 @@ Outcome<Done> compare_all(Job& job, const std::vector<Mesh>& expected,
       return stop(Exit::undecided,
                   fmt::format("{}: neither equal nor different could be shown: {}{}", name, mesh,
                               result->what));
+    for (const FoundError& error : result->errors) add(same.errors, error);
+    same.ordered = same.ordered && in_one_order(expected[i], found[i], tolerances);
   }
-  return Done{};
+  return same;
+}
+
+/// How exact values are: "every value bit for bit", and what is not.
+std::string exactness(std::span<const FoundError> found, std::span<const MeshInfo> stated) {
+  std::string out = "every value bit for bit";
+  const std::vector<FoundError> all = largest_errors(stated);
+  for (const FoundError& error : found) {
+    out += fmt::format(", but {}", off_by(error));
+    for (const FoundError& other : all)
+      if (other.attribute == error.attribute && other.domain == error.domain)
+        out += other.error == error.error ? ", as stated"
+                                          : fmt::format(", {:.4g} stated", other.error);
+  }
+  return out;
 }
 
 }  // namespace
@@ -142,7 +181,10 @@ Exit verify(const Options& options) {
     const Outcome<std::vector<Mesh>> found = job.decode(*bytes);
     if (!found) return Failure{found.error()};
     job.progress().next();
-    const auto same = compare_all(job, expected->meshes, *found);
+    const Expected<Decoder> decoder = Decoder::open(*bytes, options.decode);
+    const Expected<FileInfo> stated = decoder ? decoder->info() : Failure{decoder.error()};
+    if (!stated) return job.not_accepted(stated.error());
+    const auto same = compare_all(job, expected->meshes, *found, stated->meshes);
     if (!same) return Failure{same.error()};
 
     const std::string metadata = metadata_differences(expected->meshes, *found);
@@ -156,15 +198,13 @@ Exit verify(const Options& options) {
     if (options.quiet) return Exit::done;
     std::size_t faces = 0;
     for (const Mesh& mesh : *found) faces += mesh.face_count();
-    const bool ordered =
-        std::equal(found->begin(), found->end(), expected->meshes.begin(), in_one_order);
     const std::string verdict = fmt::format(
-        "{}: same as {}{}{}: {}, {} face{}, every value bit for bit{}", job.name(),
-        input_name(original), metadata.empty() ? "" : fmt::format(", but for {}", metadata),
+        "{}: same as {}{}{}: {}, {} face{}, {}{}", job.name(), input_name(original),
+        metadata.empty() ? "" : fmt::format(", but for {}", metadata),
         lost.what.empty() ? ""
                           : fmt::format(", but for {} that {} not carried", lost.what, lost.are),
         meshes_of(found->size()), grouped(faces), faces == 1 ? "" : "s",
-        ordered ? ", in the same order" : "");
+        exactness(same->errors, stated->meshes), same->ordered ? ", in the same order" : "");
     const auto printed = print(printable(verdict) + "\n");
     if (!printed) return Failure{printed.error()};
     return Exit::done;

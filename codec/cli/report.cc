@@ -143,6 +143,22 @@ void put(std::string& out, const MeshShape& s) {
   if (s.isolated_vertices != 0) line(out, "isolated vertices", s.isolated_vertices);
 }
 
+/// A line for each: type and number of values, what they cost, how they are coded, how exact.
+void put(std::string& out, std::span<const AttributeInfo> attributes) {
+  for (const AttributeInfo& a : attributes) {
+    const double bits =
+        a.count == 0 ? 0 : 8 * static_cast<double>(a.bytes) / static_cast<double>(a.count);
+    out += fmt::format(
+        "  {:<22}{:>15} bytes, {:.2f} bits each: {} {} {} of {}, {}",
+        fitting(printable(a.name), 22), grouped(a.bytes), bits, grouped(a.count), name(a.domain),
+        a.count == 1 ? "value" : "values",
+        a.components == 1 ? name(a.scalar) : fmt::format("{} {}", a.components, name(a.scalar)),
+        a.coder);
+    if (!a.numbers.empty()) out += ", " + printable(a.numbers);
+    out += a.error > 0 ? fmt::format(", off by {:.4g} at most\n", a.error) : "\n";
+  }
+}
+
 constexpr std::size_t longest_value = 54;  ///< of metadata, in a line of 80 columns
 
 std::string heading(std::size_t i, const std::string& mesh) {
@@ -174,7 +190,10 @@ std::string info_json(const std::string& file, const Inspection& found) {
                                    {"scalar", name(a.scalar)},
                                    {"components", a.components},
                                    {"count", a.count},
-                                   {"bytes", a.bytes}});
+                                   {"bytes", a.bytes},
+                                   {"numbers", a.numbers},
+                                   {"coder", a.coder},
+                                   {"error", a.error}});
     one["metadata"] = Json::array();
     for (const MetadataEntry& entry : mesh.metadata)
       one["metadata"].push_back({{"key", entry.key}, {"value", entry.value}});
@@ -208,6 +227,7 @@ std::string info_text(const std::string& file, const Inspection& found) {
       out += heading(i, meshes[i].name);
       put(out, found.meshes[i].shape);
       line(out, "connectivity bytes", meshes[i].connectivity_bytes);
+      put(out, meshes[i].attributes);
     }
     out += "all meshes\n";
   }
@@ -230,6 +250,7 @@ std::string info_text(const std::string& file, const Inspection& found) {
   if (sum.order_bytes != 0) line(out, "  of them for the order", sum.order_bytes);
   line(out, "position bytes", sum.position_bytes);
   line(out, "attribute bytes", sum.attribute_bytes);
+  if (meshes.size() == 1) put(out, meshes[0].attributes);
   if (sum.metadata_bytes != 0) line(out, "metadata bytes", sum.metadata_bytes);
   line(out, "overhead bytes", found.file.overhead_bytes);
   line(out, "total bytes", found.file.total_bytes);

@@ -41,40 +41,38 @@ CLERS_ALWAYS_INLINE std::uint64_t low_bits(std::uint64_t v, unsigned n) {
   return v & masks[n];
 }
 
-/// Writes from the end of its memory towards the beginning: each number before those that were put
+/// Writes from the end of memory towards the beginning: each number before those that were put
 /// already, the first bits of the stream lowest.
 class ReversedBitWriter {
  public:
-  /// Room for so many bits.
-  explicit ReversedBitWriter(std::uint64_t bits)
-      : memory_(static_cast<std::size_t>(bits / 8 + 16)), next_(memory_.size()) {}
+  ReversedBitWriter() = default;
+  explicit ReversedBitWriter(std::span<std::byte> memory)
+      : next_(memory.data() + memory.size()), end_(next_) {}
+  /// The memory that it takes to write so many bits.
+  static std::size_t room(std::uint64_t bits) { return static_cast<std::size_t>(bits / 8 + 16); }
 
-  /// Preconditions: value < 2^n; at most 56 bits between two calls of flush.
+  /// Precondition: value < 2^n, n <= 56.
   CLERS_ALWAYS_INLINE void put(std::uint64_t value, unsigned n) {
     bits_ = bits_ << n | value;
     count_ += n;
-  }
-  CLERS_ALWAYS_INLINE void flush() {
-    store_eight(memory_.data() + next_ - 8, bits_ << 1 << (63 - count_));
+    const std::uint64_t highest_first = bits_ << 1 << (63 - count_);
+    store_eight(next_ - 8, highest_first);
     next_ -= count_ >> 3;
     count_ &= 7;
   }
 
-  /// Appends all that was put. What the first byte has left holds a one above zeros.
-  void finish(Bytes& out) {
-    flush();
+  /// All that was put. What the first byte has left holds a one above zeros.
+  std::span<const std::byte> finish() {
     const unsigned zeros = 7 - count_;
-    put(1, 1);
-    put(0, zeros);
-    flush();
-    put_bytes(out, std::span(memory_).subspan(next_));
+    put(std::uint64_t(1) << zeros, zeros + 1);
+    return {next_, end_};
   }
 
  private:
-  Bytes memory_;
-  std::size_t next_;
+  std::byte* next_ = nullptr;
+  std::byte* end_ = nullptr;
   std::uint64_t bits_ = 0;
-  unsigned count_ = 0;  ///< of bits_ that are not in memory yet, 0 .. 63
+  unsigned count_ = 0;  ///< of bits_ that are not in memory yet, 0 .. 7
 };
 
 /// Reads what ReversedBitWriter wrote, and zeros behind it. All that it knows of its place is a

@@ -32,82 +32,83 @@ inline std::vector<std::uint8_t> spread(const Shares& shares) {
   return symbols;
 }
 
-/// What a state says, in a word: the symbol; how many bits the next state takes in and what they
-/// are added to; how many bits that and the raw bits take together.
-class Entry {
- public:
-  Entry() = default;
-  Entry(unsigned symbol, unsigned base, unsigned bits, unsigned raw)
-      : word_(base | bits << 12 | symbol << 16 | (bits + raw) << 24) {}
-  unsigned base() const { return word_ & 0xfff; }
-  unsigned bits() const { return word_ >> 12 & 15; }
-  unsigned symbol() const { return word_ >> 16 & 0xff; }
-  unsigned with_raw() const { return word_ >> 24; }
-
- private:
-  std::uint32_t word_ = 0;
+/// What a state says: what its symbol stands for, to which raw bits are added; how many bits the
+/// next state takes in and what they are added to; how many bits that and the raw bits take
+/// together.
+template <class Value>
+struct Entry {
+  Value least;
+  std::uint16_t base;
+  std::uint8_t bits;
+  std::uint8_t with_raw;
 };
 
-/// 4 << log bytes.
+/// sizeof(Entry) << log bytes.
+template <class Value>
 class DecodeTable {
  public:
-  /// raw(symbol): how many raw bits follow it.
-  template <class Raw>
-  DecodeTable(const Shares& shares, Raw raw) : entries_(std::size_t(1) << shares.log) {
+  /// least[symbol] is what a symbol stands for, raw(symbol) how many raw bits follow it.
+  template <class Least, class Raw>
+  DecodeTable(const Shares& shares, const Least& least, Raw raw)
+      : entries_(std::size_t(1) << shares.log) {
     const std::vector<std::uint8_t> symbols = spread(shares);
     std::array<std::uint16_t, most_symbols> next{};
     for (std::size_t s = 0; s < shares.of.size(); ++s) next[s] = shares.of[s];
     for (std::size_t state = 0; state < symbols.size(); ++state) {
       const unsigned symbol = symbols[state], x = next[symbol]++;
       const unsigned bits = shares.log + 1 - static_cast<unsigned>(std::bit_width(x));
-      entries_[state] =
-          Entry(symbol, (x << bits) - (1u << shares.log), bits, static_cast<unsigned>(raw(symbol)));
+      entries_[state] = {
+          least[symbol], static_cast<std::uint16_t>((x << bits) - (1u << shares.log)),
+          static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits + raw(symbol))};
     }
   }
-  const Entry* entries() const { return entries_.data(); }
+  const Entry<Value>* entries() const { return entries_.data(); }
 
  private:
-  std::vector<Entry> entries_;
+  std::vector<Entry<Value>> entries_;
 };
 
+/// What must be written of a symbol in a state, and how to go on from there.
+template <class Value>
+struct Step {
+  std::uint32_t bits;  ///< added to a state gives how many bits it loses, above 16 bits
+  std::int32_t begin;  ///< added to what is left of it gives the place of the next one
+  Value least;
+  std::uint32_t raw;
+};
+
+template <class Value>
 class EncodeTable {
  public:
-  explicit EncodeTable(const Shares& shares) : log_(shares.log), next_(std::size_t(1) << log_) {
+  template <class Least, class Raw>
+  EncodeTable(const Shares& shares, const Least& least, Raw raw)
+      : steps_(shares.of.size()), next_(std::size_t(1) << shares.log) {
     const std::vector<std::uint8_t> symbols = spread(shares);
     std::array<std::uint16_t, most_symbols> place{};
     unsigned begin = 0;
     for (std::size_t s = 0; s < shares.of.size(); ++s) {
       const unsigned share = shares.of[s];
       if (share == 0) continue;
-      // States of at least share << most take in `most` bits, the others one less.
-      const unsigned most =
-          share == 1 ? log_ : log_ - static_cast<unsigned>(std::bit_width(share - 1)) + 1;
-      of_[s] = {(most << 16) - (share << most),
-                static_cast<std::int32_t>(begin) - static_cast<std::int32_t>(share)};
+      // States of at least share << most lose `most` bits, the others one less.
+      const unsigned most = share == 1
+                                ? shares.log
+                                : shares.log - static_cast<unsigned>(std::bit_width(share - 1)) + 1;
+      steps_[s] = {(most << 16) - (share << most),
+                   static_cast<std::int32_t>(begin) - static_cast<std::int32_t>(share), least[s],
+                   raw(static_cast<unsigned>(s))};
       place[s] = static_cast<std::uint16_t>(begin);
       begin += share;
     }
     for (std::size_t state = 0; state < symbols.size(); ++state)
-      next_[place[symbols[state]]++] = static_cast<std::uint16_t>((std::size_t(1) << log_) + state);
+      next_[place[symbols[state]]++] =
+          static_cast<std::uint16_t>((std::size_t(1) << shares.log) + state);
   }
-
-  /// The state of the decoder before it reads the symbol, from that behind it; states are counted
-  /// from 2^log here. The lowest `bits` of the state behind are what it must read.
-  CLERS_ALWAYS_INLINE std::uint32_t back(std::uint32_t state, unsigned symbol,
-                                         unsigned& bits) const {
-    const Step step = of_[symbol];
-    bits = (state + step.bits) >> 16;
-    return next_[static_cast<std::size_t>(static_cast<std::int32_t>(state >> bits) + step.begin)];
-  }
-  unsigned log() const { return log_; }
+  const Step<Value>* steps() const { return steps_.data(); }
+  /// States in the order of their symbols, counted from 2^log.
+  const std::uint16_t* next() const { return next_.data(); }
 
  private:
-  struct Step {
-    std::uint32_t bits;
-    std::int32_t begin;
-  };
-  unsigned log_;
-  std::array<Step, most_symbols> of_{};
+  std::vector<Step<Value>> steps_;
   std::vector<std::uint16_t> next_;
 };
 

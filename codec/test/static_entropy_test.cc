@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
+#include <span>
 #include <vector>
 
 #include "codec/attributes/residual_classes.h"
@@ -28,15 +30,31 @@ TEST(ResidualClasses, MeetWithoutGaps) {
   }
 }
 
+TEST(ResidualClasses, ManyAtOnceAsOneByOne) {
+  std::vector<std::int32_t> residuals;
+  for (unsigned bit = 0; bit < 31; ++bit)
+    for (const std::uint32_t half : {0u, 1u, 2u, 3u})
+      for (std::int32_t near = -2; near <= 2; ++near) {
+        const std::int32_t r =
+            static_cast<std::int32_t>((std::uint32_t(1) << bit) + (half << bit >> 1)) + near;
+        if (r == std::numeric_limits<std::int32_t>::min()) continue;
+        residuals.push_back(r);
+        residuals.push_back(-r);
+      }
+  std::vector<std::uint8_t> classes(residuals.size());
+  classes_of(std::span<const std::int32_t>(residuals), classes.data());
+  for (std::size_t i = 0; i < residuals.size(); ++i)
+    ASSERT_EQ(classes[i], class_of(residuals[i])) << residuals[i];
+}
+
 RC_GTEST_PROP(ReversedBits, ComeBack, (const std::vector<std::uint64_t>& values)) {
-  ReversedBitWriter out(57 * values.size());
+  Bytes memory(ReversedBitWriter::room(57 * values.size()));
+  ReversedBitWriter out(memory);
   for (std::size_t i = values.size(); i-- > 0;) {
-    out.put(low_bits(values[i], static_cast<unsigned>(values[i] % 57)),
-            static_cast<unsigned>(values[i] % 57));
-    out.flush();
+    const unsigned n = static_cast<unsigned>(values[i] % 57);
+    out.put(low_bits(values[i], n), n);
   }
-  Bytes bytes;
-  out.finish(bytes);
+  const std::span<const std::byte> bytes = out.finish();
   ReversedBitReader in(bytes);
   for (const std::uint64_t v : values) {
     const unsigned n = static_cast<unsigned>(v % 57);

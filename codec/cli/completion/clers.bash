@@ -16,11 +16,15 @@ _clers() {
     --from | --to) COMPREPLY=($(compgen -W "ply obj off stl" -- "$cur")) && return ;;
     --level) COMPREPLY=($(compgen -W "1 2 3 4 5 6 7 8 9" -- "$cur")) && return ;;
     --order) COMPREPLY=($(compgen -W "free keep" -- "$cur")) && return ;;
+    --positions)
+      COMPREPLY=($(compgen -W "lossless q step error grid:" -- "$cur"))
+      [[ ${COMPREPLY[*]} == lossless ]] || compopt -o nospace 2>/dev/null
+      return ;;
     --pieces) COMPREPLY=($(compgen -W "never" -- "$cur")) && return ;;
     --on-nonmanifold | --on-degenerate | --on-duplicate)
       COMPREPLY=($(compgen -W "keep reject" -- "$cur")) && return ;;
     --scheme) COMPREPLY=($(compgen -W "sqrt3 loop 4-8" -- "$cur")) && return ;;
-    --piece | --times | -T | --threads | --max-*) return ;;
+    --piece | --attribute | --times | -T | --threads | --max-*) return ;;
     -o | --output) _filedir && return ;;
   esac
 
@@ -29,7 +33,7 @@ _clers() {
   case $command in
     encode)
       options="-h --help -o --output -c --stdout --from -1 -2 -3 -4 -5 -6 -7 -8 -9 --level --order --pieces
-        -T --threads --on-nonmanifold --on-degenerate --on-duplicate --strict --rm -k --keep -f --force
+        --positions --attribute -T --threads --on-nonmanifold --on-degenerate --on-duplicate --strict --rm -k --keep -f --force
         -q --quiet"
       files=$meshes ;;
     decode)

@@ -1,0 +1,288 @@
+// How positions are predicted, and how far off predictions are expected to be: what encoder and
+// decoder share. It knows the surface and a coder, but no bytes of a file.
+#ifndef CLERS_CODEC_ATTRIBUTES_SIZED_MODEL_H
+#define CLERS_CODEC_ATTRIBUTES_SIZED_MODEL_H
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <type_traits>
+#include <vector>
+
+#include "codec/attributes/axis_steps.h"
+#include "codec/attributes/lattice.h"
+#include "codec/attributes/residual_sizes.h"
+#include "codec/attributes/sized_positions.h"
+#include "codec/attributes/triples.h"
+#include "codec/attributes/visit_order.h"
+#include "codec/base/portable.h"
+#include "codec/connectivity/coded_surface.h"
+#include "codec/entropy/lanes.h"
+#include "topology/ids.h"
+
+namespace clers::internal {
+
+/// Codes the positions along a surface. Int is that of the rows; Triple what geometry is computed
+/// in: Narrow where all axes have one scale, no palette, and tops below narrow_top; else Wide.
+///
+/// A position is predicted at the mean of up to three parallelograms, each where all its vertices
+/// are known:
+///
+///        d-----v-----e
+///       / \   / \   / \        that of the triangle a b v, at a + b - c,
+///      d'  \ /   \ /   e'      and of those beside it around v, at b + d - d' and a + e - e'
+///           b-----a
+///            \   /
+///             \ /
+///              c
+///
+/// Along their normal a residual is smaller than in their plane, mostly, and what is known of the
+/// one in the plane says more: the vertex lies in the plane. So the axis next to the normal is
+/// coded last, its mean lifted by the slope of the plane.
+template <class Int, class Triple>
+class SizedModel {
+  static constexpr bool wide = std::is_same_v<Triple, Wide>;
+  using Record = Quadruple<typename Triple::Number>;
+
+ public:
+  SizedModel(const CodedSurface& surface, Lattice<Int> positions)
+      : surface_(surface),
+        rows_(positions.rows.data()),
+        count_(static_cast<std::uint32_t>(positions.count())),
+        steps_(positions.axes),
+        records_(count_) {}
+
+  /// False if no positions are what was decoded.
+  template <class Coder>
+  bool code(Coder& coder, VisitOrder order) {
+    if (surface_.twins.empty()) {
+      for_each_introduced(surface_, [&](std::uint32_t t, unsigned i) { code_apart(coder, t, i); });
+    } else if (order == VisitOrder::introduction) {
+      for_each_introduced(surface_, [&](std::uint32_t t, unsigned i) CLERS_INLINE_LAMBDA {
+        if (i == 2) [[likely]]
+          code_at(coder, 3 * t + 2, 3 * t, 3 * t + 1);
+        else
+          code_beside(coder, surface_.corners[3 * std::size_t(t) + i],
+                      i == 0 ? last_ : surface_.corners[3 * std::size_t(t)]);
+      });
+    } else {
+      for_each_by_parallelograms(surface_, [&](HalfEdge h, const Visited&) {
+        code_at(coder, h.index(), lnext(h).index(), lprev(h).index());
+      });
+    }
+    for (std::uint32_t v = 0; v < count_; ++v)
+      if (!surface_.has(v)) code_beside(coder, v, last_);
+    return valid_;
+  }
+
+ private:
+  /// What is known of a vertex: where it is; and the sizes of its residual in the plane and, times
+  /// 2^16, across it. Sizes of a known vertex are not 0.
+  static bool known(const Record& r) { return r.at[3] != 0; }
+  static std::uint32_t sizes(const Record& r) { return static_cast<std::uint32_t>(r.at[3]); }
+
+  /// The vertex that half-edge h leaves, where `next` and `previous` are the two after it.
+  template <class Coder>
+  CLERS_ALWAYS_INLINE void code_at(Coder& coder, std::uint32_t h, std::uint32_t next,
+                                   std::uint32_t previous) {
+    const std::uint32_t* corner = surface_.corners.data();
+    const HalfEdge* twin = surface_.twins.data();
+    const std::uint32_t v = corner[h];
+    // What is not there is v itself, which is not known.
+    std::uint32_t c = v, d = v, dd = v, e = v, ee = v;
+    if (const HalfEdge out = twin[next]) [[likely]]
+      c = corner[lprev(out).index()];
+    if (const HalfEdge out = twin[previous]) [[likely]] {
+      d = corner[lprev(out).index()];
+      if (const HalfEdge over = twin[lnext(out).index()]) [[likely]]
+        dd = corner[lprev(over).index()];
+    }
+    if (const HalfEdge in = twin[h]) [[likely]] {
+      const HalfEdge side = lprev(in);
+      e = corner[side.index()];
+      if (const HalfEdge over = twin[side.index()]) [[likely]]
+        ee = corner[lprev(over).index()];
+    }
+    code_across(coder, v, corner[next], corner[previous], c, d, dd, e, ee);
+  }
+
+  /// The same where no twins are: by the triangle before, if it has the other two corners.
+  template <class Coder>
+  void code_apart(Coder& coder, std::uint32_t t, unsigned i) {
+    const std::uint32_t* face = surface_.corners.data() + 3 * std::size_t(t);
+    const std::uint32_t v = face[i], a = face[(i + 1) % 3], b = face[(i + 2) % 3];
+    std::uint32_t c = v;
+    for (unsigned k = 0; t > 0 && k < 3; ++k) {
+      const std::uint32_t *before = face - 3, x = before[(k + 1) % 3], y = before[(k + 2) % 3];
+      if ((x == a && y == b) || (x == b && y == a)) c = before[k];
+    }
+    code_across(coder, v, a, b, c, v, v, v, v);
+  }
+
+  /// v by the parallelograms that are known.
+  template <class Coder>
+  CLERS_ALWAYS_INLINE void code_across(Coder& coder, std::uint32_t v, std::uint32_t a,
+                                       std::uint32_t b, std::uint32_t c, std::uint32_t d,
+                                       std::uint32_t dd, std::uint32_t e, std::uint32_t ee) {
+    if (!valid_) return;
+    const Record *r = records_.data(), &ra = r[a], &rb = r[b], &rc = r[c], &rd = r[d], &rdd = r[dd],
+                 &re = r[e], &ree = r[ee];
+    if (!(known(ra) & known(rb) & known(rc))) [[unlikely]]
+      return code_beside(coder, v, known(rb) ? b : known(ra) ? a : last_);
+    const bool left = known(rd) & known(rdd), right = known(re) & known(ree);
+    const unsigned n = 1u + left + right;
+
+    // Residuals of those around, and which way the plane is.
+    std::uint32_t sum = sizes(ra) + sizes(rb) + sizes(rc);
+    sum += (sizes(rd) + sizes(rdd)) & (0u - static_cast<std::uint32_t>(left));
+    sum += (sizes(re) + sizes(ree)) & (0u - static_cast<std::uint32_t>(right));
+    const Triple A(ra), B(rb), C(rc), D(rd), E(re);
+    const std::array<std::int64_t, 3> normal =
+        steps_.normal({B - A, (D - B).when(left), (A - E).when(right)},
+                      {B - C, D - Triple(rdd), A - Triple(ree)});
+    const std::int64_t sizes_of_normal[3] = {std::abs(normal[0]), std::abs(normal[1]),
+                                             std::abs(normal[2])};
+    const unsigned z = sizes_of_normal[2] >= std::max(sizes_of_normal[0], sizes_of_normal[1]) ? 2
+                       : sizes_of_normal[1] >= sizes_of_normal[0]                             ? 1
+                                                                                              : 0;
+    const unsigned x = z == 2 ? 0 : z + 1, y = z == 0 ? 2 : z - 1;
+
+    // The mean, in quarters of a step, and how far the first two are apart.
+    const Triple first = steps_.inside(A + B - C);
+    const Triple from_left = (steps_.inside(B + D - Triple(rdd)) - first).when(left),
+                 from_right = (steps_.inside(A + E - Triple(ree)) - first).when(right);
+    const Record start = first.stored(), off = (from_left + from_right).stored(),
+                 spread = (left ? from_left : from_right).magnitude().stored();
+    std::int64_t mean[3];
+    for (unsigned i = 0; i < 3; ++i)
+      mean[i] = 4 * std::int64_t(start.at[i]) + steps_.quarters(off.at[i], n);
+
+    // What to expect.
+    const auto apart = [&](unsigned i) CLERS_INLINE_LAMBDA {
+      return steps_.size(i, 4 * std::uint64_t(spread.at[i]));
+    };
+    const int plane = expected(n, sum & 0xffff, std::max(apart(x), apart(y))),
+              across = expected(n, sum >> 16, apart(z));
+    const auto slopes = slopes_of(normal[x], normal[y], normal[z], plane - across);
+
+    const ResidualContext in_x = steps_.context(x, 0, plane), in_y = steps_.context(y, 0, plane),
+                          in_z = steps_.context(z, 1, across);
+    std::array<std::uint64_t, 3> low{};
+    if constexpr (!Coder::encodes) low = coder.bits(in_x.width, in_y.width, in_z.width);
+    Int* row = rows_ + 3 * std::size_t(v);
+    const std::int64_t rx = code_one(coder, 0, x, row[x], mean[x], in_x, low[0], n);
+    const std::int64_t ry = code_one(coder, 1, y, row[y], mean[y], in_y, low[1], n);
+    const std::int64_t mz = mean[z] - steps_.lift(slopes, {rx, ry}, {x, y, z});
+    const std::int64_t rz = code_one(coder, 2, z, row[z], mz, in_z, low[2], n);
+    if constexpr (wide)
+      typical_ = sizes_of(std::max(steps_.size(x, magnitude(rx)), steps_.size(y, magnitude(ry))),
+                          steps_.size(z, magnitude(rz)));
+    else
+      typical_ = sizes_of(steps_.size(x, std::max(magnitude(rx), magnitude(ry))),
+                          steps_.size(z, magnitude(rz)));
+    remember(v);
+  }
+
+  /// v by the position of a vertex beside it; where there is none, by 0.
+  template <class Coder>
+  CLERS_NEVER_INLINE void code_beside(Coder& coder, std::uint32_t v, std::uint32_t from) {
+    if (!valid_) return;
+    Int* row = rows_ + 3 * std::size_t(v);
+    for (unsigned i = 0; i < 3; ++i) {
+      const std::int64_t mean = 4 * std::int64_t(count_ > 0 ? records_[from].at[i] : 0);
+      const ResidualContext context = steps_.context(i, 2, beside_[i] >> 4);
+      std::uint64_t low = 0;
+      if constexpr (!Coder::encodes) low = coder.bits(context.width, 0, 0)[0];
+      const std::int64_t r = code_one(coder, i, i, row[i], mean, context, low, 1);
+      beside_[i] += (16 * steps_.size(i, magnitude(r)) - beside_[i]) >> 2;
+    }
+    remember(v);
+  }
+
+  /// One component. Returns what it is off from the mean, in quarters.
+  template <class Coder>
+  CLERS_ALWAYS_INLINE std::int64_t code_one(Coder& coder, unsigned lane, unsigned i, Int& value,
+                                            std::int64_t mean, ResidualContext context,
+                                            std::uint64_t low, unsigned n) {
+    mean = steps_.inside(i, mean);
+    const std::int64_t nearest = (mean + 2) >> 2, rest = mean - 4 * nearest;  // -2 .. 1
+    // So that the mean is above: mirror images are the same context.
+    const std::int64_t below = -static_cast<std::int64_t>(rest < 0);
+    const unsigned fraction = static_cast<unsigned>((rest ^ below) - below);
+    const unsigned near = n - 1 + (context.width <= 1 ? 3 * fraction : 0);
+    std::int64_t r = 0;
+    if constexpr (Coder::encodes) {
+      r = steps_.difference(i, std::int64_t(value), nearest);
+      r = (r ^ below) - below;
+      low = low_bits(r, context.width);
+      coder.bits(context.width, low);
+    }
+    valid_ &= residuals_.code(coder, lane, context, near, low, r);
+    if constexpr (!Coder::encodes) {
+      std::int64_t decoded = 0;
+      valid_ &= steps_.apply(i, nearest, (r ^ below) - below, decoded);
+      value = static_cast<Int>(decoded);
+    }
+    return 4 * std::int64_t(value) - mean;
+  }
+
+  /// The mean of what n parallelograms' vertices had, two thirds, and of how far two are apart.
+  CLERS_ALWAYS_INLINE static int expected(unsigned n, std::uint32_t sum, int apart) {
+    // Over the 3, 5 or 7 vertices, in 1/2^16. One parallelogram alone is worse by half an octave.
+    static constexpr int of_sum[] = {0, 21846, 8738, 6242}, of_apart[] = {0, 0, 21845, 21845},
+                         more[] = {0, 1 << 16, -43690, -43690};
+    return std::max((static_cast<int>(sum) * of_sum[n] + apart * of_apart[n] + more[n]) >> 16, 0);
+  }
+
+  /// How fast the plane rises along z by x and by y, in 1/2^16; but less where residuals in the
+  /// plane are not expected to be larger than those across it by an octave.
+  CLERS_ALWAYS_INLINE static std::array<std::int64_t, 2> slopes_of(std::int64_t nx, std::int64_t ny,
+                                                                   std::int64_t nz, int larger) {
+    const std::int64_t share = std::clamp(larger, 0, 4);
+    const int shift = std::max(static_cast<int>(std::bit_width(magnitude(nz))) - 15, 0);
+    const std::int32_t z = static_cast<std::int32_t>(nz >> shift);
+    const std::int64_t inverse = (1 << 29) / (z == 0 ? 1 : z);
+    return {((nx >> shift) * inverse >> 15) * share, ((ny >> shift) * inverse >> 15) * share};
+  }
+
+  static std::uint32_t sizes_of(int plane, int across) {
+    return static_cast<std::uint32_t>((plane + 1) | (across + 1) << 16);
+  }
+  CLERS_ALWAYS_INLINE void remember(std::uint32_t v) {
+    using Number = typename Triple::Number;
+    const Int* row = rows_ + 3 * std::size_t(v);
+    records_[v] = {{static_cast<Number>(row[0]), static_cast<Number>(row[1]),
+                    static_cast<Number>(row[2]), static_cast<Number>(typical_)}};
+    last_ = v;
+  }
+
+  const CodedSurface surface_;
+  Int* const rows_;
+  const std::uint32_t count_;
+  const AxisSteps<Triple> steps_;
+  std::vector<Record> records_;
+  ResidualModel residuals_;
+  int beside_[3] = {};  ///< how far vertices are apart where nothing else is known, in 1/16
+  std::uint32_t last_ = 0;
+  std::uint32_t typical_ = 0x00010001;  ///< sizes of the last one that was predicted
+  bool valid_ = true;
+};
+
+/// Calls use(SizedModel) with the one for these axes.
+template <class Int, class Use>
+auto with_sized_model(const CodedSurface& surface, Lattice<Int> positions, Use use) {
+  if constexpr (sizeof(Int) == 4)
+    if (AxisSteps<Narrow>::fit(positions.axes)) {
+      SizedModel<Int, Narrow> model(surface, positions);
+      return use(model);
+    }
+  SizedModel<Int, Wide> model(surface, positions);
+  return use(model);
+}
+
+}  // namespace clers::internal
+
+#endif

@@ -1,0 +1,178 @@
+// Positions in contexts of sizes: any integers along any surface come back, and no bytes do harm.
+#include "codec/attributes/sized_positions.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <vector>
+
+#include "codec/attributes/residual_sizes.h"
+#include "codec/connectivity/connectivity.h"
+#include "codec/soup/adjacency.h"
+#include "codec/test/coded_surfaces.h"
+#include "corpus/generate.h"
+#include "corpus/random.h"
+
+namespace clers::internal {
+namespace {
+
+constexpr VisitOrder orders[] = {VisitOrder::introduction, VisitOrder::parallelograms};
+
+template <class Int>
+struct Positions {
+  std::vector<Int> rows;
+  std::vector<Axis> axes;
+
+  Lattice<Int> lattice() { return {rows, axes}; }
+};
+
+/// A random number of at most so many bits, each length alike.
+std::uint64_t any(corpus::Random& random, std::uint64_t top) {
+  const std::uint64_t bits = std::uint64_t(random.below(1u << 30)) << 30 | random.below(1u << 30);
+  return std::min(bits >> random.below(60), top);
+}
+
+/// Axes of all kinds with tops up to this.
+std::vector<Axis> any_axes(corpus::Random& random, std::uint64_t top) {
+  std::vector<Axis> axes(3);
+  const bool equal = random.below(2) == 0;
+  for (Axis& axis : axes) {
+    axis.top = equal ? top : any(random, top);
+    if (equal) continue;
+    axis.scale = 1 + random.below(random.below(2) == 0 ? 4 : 65535);
+    if (random.below(3) > 0) continue;
+    for (unsigned n = 1 + random.below(20); n > 0; --n)
+      axis.palette.push_back(any(random, axis.top));
+    std::sort(axis.palette.begin(), axis.palette.end());
+    axis.palette.erase(std::unique(axis.palette.begin(), axis.palette.end()), axis.palette.end());
+  }
+  return axes;
+}
+
+/// Integers that are far apart, near each other, and at the ends.
+template <class Int>
+Positions<Int> any_positions(corpus::Random& random, std::size_t count, std::vector<Axis> axes) {
+  Positions<Int> p{std::vector<Int>(3 * count), std::move(axes)};
+  const unsigned kind = random.below(3);
+  for (std::size_t i = 0; i < p.rows.size(); ++i) {
+    const Axis& axis = p.axes[i % 3];
+    std::uint64_t x = kind == 0   ? any(random, axis.top)
+                      : kind == 1 ? (random.below(2) == 0 ? 0 : axis.top)
+                                  : std::min(axis.top / 2 + random.below(9), axis.top);
+    if (!axis.palette.empty())
+      x = axis.palette[random.below(static_cast<std::uint32_t>(axis.palette.size()))];
+    p.rows[i] = static_cast<Int>(x);
+  }
+  return p;
+}
+
+template <class Int>
+void check_range(const Positions<Int>& p) {
+  for (std::size_t i = 0; i < p.rows.size(); ++i) {
+    const Axis& axis = p.axes[i % 3];
+    ASSERT_LE(static_cast<std::uint64_t>(p.rows[i]), axis.top);
+  }
+}
+
+/// Encodes and decodes; then decodes what was changed and what was cut off.
+template <class Int>
+void check(const CodedSurface& surface, Positions<Int> p, VisitOrder order,
+           corpus::Random& random) {
+  const Bytes bytes = encode_sized_positions(surface, p.lattice(), order);
+  Positions<Int> out = p;
+  for (Int& x : out.rows) x = static_cast<Int>(~any(random, most_wide));
+  const auto done = decode_sized_positions(bytes, 0, surface, out.lattice());
+  ASSERT_TRUE(done.ok()) << done.error().what;
+  ASSERT_EQ(out.rows, p.rows);
+  ASSERT_EQ(encode_sized_positions(surface, out.lattice(), order), bytes);
+  for (unsigned i = 0; i < 4; ++i) {
+    Bytes changed = bytes;
+    if (i < 2)
+      changed[random.below(static_cast<std::uint32_t>(bytes.size()))] ^=
+          static_cast<std::byte>(1 + random.below(255));
+    else if (i == 2)
+      changed.resize(random.below(static_cast<std::uint32_t>(bytes.size())));
+    else
+      changed.push_back(static_cast<std::byte>(random.below(256)));
+    const auto result = decode_sized_positions(changed, 7, surface, out.lattice());
+    ASSERT_TRUE(i < 2 || !result.ok());
+    if (result.ok()) check_range(out);
+  }
+}
+
+TEST(SizedPositions, ComeBackAlongAnySurface) {
+  corpus::Random random(1);
+  for (const CodedArrays& s : test::coded_surfaces()) {
+    CodedSurface surface = s.view();
+    const std::size_t count = s.introduced_by.size() + random.below(4);
+    if (random.below(4) == 0) surface.twins = {};
+    for (const VisitOrder order : orders) {
+      const std::uint64_t top = any(random, most_narrow);
+      check(surface, any_positions<std::int32_t>(random, count, any_axes(random, top)), order,
+            random);
+      check(surface,
+            any_positions<std::int64_t>(random, count, any_axes(random, any(random, most_wide))),
+            order, random);
+    }
+  }
+}
+
+TEST(SizedPositions, ComeBackAtTheEndsOfRanges) {
+  corpus::Random random(2);
+  const CodedArrays s = test::coded(corpus::torus(20, 15));
+  for (const std::uint64_t top :
+       {std::uint64_t(0), std::uint64_t(1), (std::uint64_t(1) << 14) - 1, std::uint64_t(1) << 14,
+        (std::uint64_t(1) << 26) - 1, std::uint64_t(1) << 26, most_narrow})
+    for (unsigned i = 0; i < 6; ++i) {
+      Axis axis{top};
+      axis.scale = i == 5 ? 65535 : 1;
+      check(s.view(), any_positions<std::int32_t>(random, 300, {axis, axis, {top}}), orders[i % 2],
+            random);
+      axis.top = most_wide;
+      check(s.view(), any_positions<std::int64_t>(random, 300, {axis, axis, axis}), orders[i % 2],
+            random);
+    }
+}
+
+TEST(SizedPositions, ComeBackWithoutTriangles) {
+  corpus::Random random(3);
+  for (const std::size_t count : {0u, 1u, 2u, 100u}) {
+    check({}, any_positions<std::int32_t>(random, count, any_axes(random, 5000)),
+          VisitOrder::parallelograms, random);
+    check({}, any_positions<std::int64_t>(random, count, any_axes(random, most_wide)),
+          VisitOrder::introduction, random);
+  }
+}
+
+/// A sphere on 12 bits: fewer than 13 of 36 bits a vertex.
+TEST(SizedPositions, AreSmallWhereSurfacesAreSmooth) {
+  const Mesh mesh = corpus::icosphere(4);
+  auto twins = find_twins({mesh.corners, {}}, mesh.vertex_count);
+  const auto coded = encode_connectivity({mesh.corners, *twins, mesh.vertex_count}, 5);
+  const CodedArrays s = test::decoded(coded->bytes);
+  Positions<std::int32_t> p{{}, std::vector<Axis>(3, Axis{4095})};
+  for (const std::uint32_t v : coded->vertices)
+    for (std::size_t i = 0; i < 3; ++i) {
+      float x = 0;
+      std::memcpy(&x, mesh.attributes[0].data.data() + 4 * (3 * std::size_t(v) + i), 4);
+      p.rows.push_back(std::clamp(static_cast<int>((x + 1) * 2047.5f), 0, 4095));
+    }
+  for (const VisitOrder order : orders)
+    EXPECT_LT(8 * encode_sized_positions(s.view(), p.lattice(), order).size(),
+              13 * s.introduced_by.size());
+}
+
+TEST(ResidualSizes, GrowByQuarterOctaves) {
+  EXPECT_EQ(size_of(0), 0u);
+  EXPECT_EQ(size_of(4), 4u);
+  EXPECT_EQ(size_of(12), 8u);
+  EXPECT_EQ(size_of(28), 12u);
+  EXPECT_LE(size_of((std::uint64_t(1) << 62) - 1), 240u);
+  for (std::uint64_t x = 0; x < 5000; ++x) ASSERT_LE(size_of(x), size_of(x + 1));
+}
+
+}  // namespace
+}  // namespace clers::internal
