@@ -122,7 +122,8 @@ Expected<NumberReader> NumberReader::read(ByteReader& in, Scalar scalar, std::si
   NumberReader reader;
   reader.numbers_.scalar = scalar;
   for (std::size_t c = 0; c < components; ++c) {
-    auto column = read_column(in, scalar, count);
+    const auto& systems = reader.numbers_.systems;
+    auto column = read_column(in, scalar, count, systems.empty() ? nullptr : &systems.back());
     if (!column) return Failure{column.error()};
     Part part = {column->coding, column->refined_palette, {}, 0, {}};
     if (!column->axis.palette.empty()) {

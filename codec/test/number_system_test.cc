@@ -322,17 +322,21 @@ TEST(Numbers, BytesAreTheSameEverywhere) {
   Random random(11);
   const DoublePrecision doubles;
   std::vector<double> numbers;
+  std::vector<float> floats;
   for (int i = 0; i < 2000; ++i) {
     const double n = double(random.below(1000000)) - 5e5;
     numbers.insert(numbers.end(), {n / 7846, n / 1e9, n * .1 + 17, std::ldexp(n * n, -70)});
+    for (const double x : {n / 1e3, n * 1.1e-6, std::floor(n / 100) * 30 + 5e6, n / (n + 6e5)})
+      floats.push_back(std::bit_cast<float>(std::bit_cast<std::uint32_t>(static_cast<float>(x))));
   }
   std::uint64_t hash = 14695981039346656037u;
   const auto add = [&](std::uint64_t byte) { hash = (hash ^ byte) * 1099511628211u; };
-  const NumberedValues coded = round_trip(numbers, 4);
-  for (const std::byte b : coded.bytes) add(std::to_integer<std::uint64_t>(b));
-  for (const std::int32_t k : coded.narrow) add(static_cast<std::uint32_t>(k));
-  for (const std::int64_t k : coded.wide) add(static_cast<std::uint64_t>(k));
-  EXPECT_EQ(hash, 7718159277150070440u);
+  for (const NumberedValues& coded : {round_trip(numbers, 4), round_trip(floats, 4)}) {
+    for (const std::byte b : coded.bytes) add(std::to_integer<std::uint64_t>(b));
+    for (const std::int32_t k : coded.narrow) add(static_cast<std::uint32_t>(k));
+    for (const std::int64_t k : coded.wide) add(static_cast<std::uint64_t>(k));
+  }
+  EXPECT_EQ(hash, 8420792279100130962u);
 }
 
 /// Bytes of many systems, with what they were made of.
