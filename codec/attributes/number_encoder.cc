@@ -107,6 +107,7 @@ void choose_refinements(EncodedColumn& out, const Map& map, const std::vector<st
   std::size_t least = 0;
   for (const RefinementCoding coding :
        {RefinementCoding::bits, RefinementCoding::adaptive, RefinementCoding::repeating}) {
+    if (Map::has_choices && coding == RefinementCoding::adaptive) continue;  // gains nothing
     Bytes bytes = encode_refinements(out.header.system, map, coding, ks, known);
     const bool first = coding == RefinementCoding::bits;
     if (first || bytes.size() < least) {
