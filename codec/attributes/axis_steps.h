@@ -72,6 +72,10 @@ class AxisSteps<Narrow> {
   Narrow inside(Narrow t) const { return t; }
   std::int64_t inside(unsigned, std::int64_t quarters) const { return quarters; }
 
+  std::int64_t within(unsigned i, std::int64_t x) const {
+    return std::clamp<std::int64_t>(x, 0, static_cast<std::int64_t>(top_[i]));
+  }
+
   /// The mean of n, of which all but one add up to `off`, in quarters.
   CLERS_ALWAYS_INLINE std::int64_t quarters(std::int32_t off, unsigned n) const {
     static constexpr int parts[] = {0, 0, 256, 171};
@@ -162,6 +166,10 @@ class AxisSteps<Wide> {
   }
   std::int64_t inside(unsigned i, std::int64_t quarters) const {
     return std::clamp<std::int64_t>(quarters, 0, 4 * steps_[i].top);
+  }
+
+  std::int64_t within(unsigned i, std::int64_t x) const {
+    return std::clamp<std::int64_t>(x, 0, steps_[i].top);
   }
 
   std::int64_t quarters(std::int64_t off, unsigned n) const {

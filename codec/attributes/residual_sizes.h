@@ -27,12 +27,13 @@ struct ResidualContext {
   /// 15 bins of the widest are more than there are integers.
   static constexpr unsigned most_width = 58;
 
-  unsigned kind;  ///< 0 in the plane of parallelograms, 1 across it, 2 without any
+  unsigned kind;  ///< 0 in the plane of parallelograms, 1 across it, 2 without any,
+                  ///< 3 near an image, 4 near a copy
   unsigned octave, width;
 
   CLERS_ALWAYS_INLINE ResidualContext(unsigned k, unsigned size)
       : kind(k), octave(std::min(size >> 2, octaves - 1)) {
-    const int wider = static_cast<int>(octave) - (kind == 1 ? 2 : 3);
+    const int wider = static_cast<int>(octave) - (kind == 1 || kind == 4 ? 2 : 3);
     width = std::min(static_cast<unsigned>(wider & ~(wider >> 31)), most_width);
   }
 };
@@ -51,7 +52,7 @@ CLERS_ALWAYS_INLINE std::uint64_t low_bits(std::int64_t r, unsigned width) {
 /// Sixteenth symbol: a bin further out, which follows.
 class ResidualModel {
  public:
-  static constexpr unsigned kinds = 3;
+  static constexpr unsigned kinds = 5;
   static constexpr unsigned nears = 9;  ///< what else is near: contexts that callers number
 
   ResidualModel() {

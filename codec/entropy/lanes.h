@@ -14,7 +14,9 @@
 
 #include "codec/base/portable.h"
 #include "codec/entropy/bytes.h"
+#include "codec/entropy/coder.h"
 #include "codec/entropy/distribution.h"
+#include "codec/entropy/rans.h"
 
 namespace clers::internal {
 
@@ -33,6 +35,14 @@ class LaneEncoder {
     x.update(s);
     y.update(s);
     return s;
+  }
+
+  /// A decision among the symbols of a lane.
+  bool flag(unsigned lane, BitModel& model, bool value) {
+    const std::uint32_t share = model.share() >> (rans::scale_bits - share_bits);
+    value ? put(lane, 0, share) : put(lane, share, shares - share);
+    model.update(value);
+    return value;
   }
 
   /// n raw bits, n < 64.
@@ -121,6 +131,14 @@ class LaneDecoder {
     x.update(s);
     y.update(s);
     return s;
+  }
+
+  bool flag(unsigned lane, BitModel& model, bool) {
+    const std::uint32_t share = model.share() >> (rans::scale_bits - share_bits);
+    const bool value = (state_[lane] & (shares - 1)) < share;
+    value ? advance(lane, 0, share) : advance(lane, share, shares - share);
+    model.update(value);
+    return value;
   }
 
   std::uint64_t even(unsigned lane, unsigned n, std::uint64_t) {

@@ -1,0 +1,102 @@
+// Which values are known when one is coded, and near it: what named values are predicted from. It
+// knows the surface, and no integers.
+#ifndef CLERS_CODEC_ATTRIBUTES_KNOWN_VALUES_H
+#define CLERS_CODEC_ATTRIBUTES_KNOWN_VALUES_H
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "codec/connectivity/coded_surface.h"
+#include "topology/ids.h"
+
+namespace clers::internal {
+
+/// What is known near a value.
+struct Nearby {
+  static constexpr std::uint32_t none = 0xffffffffu;
+  static constexpr std::size_t most = 12;
+
+  std::array<std::uint32_t, most> around =
+      {};  ///< neighbours, first those of the gate: the first few
+  std::size_t count = 0;
+  std::uint32_t a = none, b = none, c = none;  ///< of the gate's parallelogram, a + b - c, or none
+  std::uint32_t before = none;                 ///< the value coded before
+
+  void add(std::uint32_t u) {
+    for (std::size_t i = 0; i < count; ++i)
+      if (around[i] == u) return;
+    if (count < most) around[count++] = u;
+  }
+};
+
+/// Calls visit(v, nearby) for each of `values` values, or `most` of them: of vertices in the order
+/// of introduction, then of those in no triangle. Where there is no surface that is the order of
+/// their numbers, and of others only the one before is known. Without twins only the triangle that
+/// introduces a vertex is looked at. It ends with the first visit that returns false, and says so.
+/// Cost: linear; memory: known_values_memory.
+template <class Visit>
+bool for_each_with_nearby(const CodedSurface& surface, std::size_t values, std::size_t most,
+                          Visit visit) {
+  std::vector<bool> known(values);
+  std::uint32_t before = Nearby::none;
+  std::size_t left = std::min(most, values);
+  const auto at = [&](HalfEdge h) { return surface.corners[h.index()]; };
+  const auto twin = [&](HalfEdge h) { return surface.twins[h.index()]; };
+  Nearby nearby;
+  const auto go_to = [&](std::uint32_t v) {
+    nearby.before = before;
+    known[v] = true;
+    before = v;
+    --left;
+    return visit(v, static_cast<const Nearby&>(nearby));
+  };
+  const auto look_around = [&](HalfEdge first) {
+    const auto add = [&](HalfEdge h) {
+      const std::uint32_t u = at(h);
+      if (u != at(first) && known[u]) nearby.add(u);
+    };
+    add(lnext(first));
+    add(lprev(first));
+    if (surface.twins.empty()) return;
+    const HalfEdge across = twin(lnext(first));
+    if (across && nearby.count == 2 && known[at(lprev(across))]) {
+      nearby.a = nearby.around[0];
+      nearby.b = nearby.around[1];
+      nearby.c = at(lprev(across));
+    }
+    HalfEdge h = twin(lprev(first));
+    for (; h && h != first; h = twin(lprev(h))) add(lprev(h));
+    if (h) return;
+    for (h = twin(first); h; h = twin(lnext(h))) add(lprev(h));
+  };
+  const auto triangles = static_cast<std::uint32_t>(surface.corners.size() / 3);
+  for (std::uint32_t t = 0; t < triangles && left > 0; ++t)
+    for (unsigned corner = 0; corner < 3 && left > 0; ++corner) {
+      const HalfEdge first = half_edge(Face(t), corner);
+      const std::uint32_t v = at(first);
+      if (surface.introduced_by[v] != t || known[v]) continue;
+      nearby.count = 0;
+      nearby.a = nearby.b = nearby.c = Nearby::none;
+      look_around(first);
+      if (!go_to(v)) return false;
+    }
+  for (std::size_t v = 0; v < values && left > 0; ++v) {
+    if (known[v]) continue;
+    nearby.count = 0;
+    nearby.a = nearby.b = nearby.c = Nearby::none;
+    if (!go_to(static_cast<std::uint32_t>(v))) return false;
+  }
+  return true;
+}
+
+/// What for_each_with_nearby allocates.
+inline std::uint64_t known_values_memory(std::uint64_t values) {
+  return values / 8 + 8;
+}
+
+}  // namespace clers::internal
+
+#endif

@@ -1,0 +1,102 @@
+// Chooses a model by what coding with it would take.
+#include "codec/attributes/named_values_encoder.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "codec/attributes/named_values.h"
+#include "codec/entropy/stream.h"
+
+namespace clers::internal {
+namespace {
+
+// Values that models are tried on.
+constexpr std::size_t sample = 12288;
+
+/// A coder that writes nothing and knows what it would take.
+class Measure {
+ public:
+  static constexpr bool encodes = true;
+  bool bit(BitModel& model, bool value) {
+    decide(model.share(), value);
+    model.update(value);
+    return value;
+  }
+  bool decide(std::uint32_t share, bool value) {
+    cost_ += rans::cost({0, static_cast<std::uint16_t>(value ? share : rans::scale - share)});
+    return value;
+  }
+  std::uint32_t raw(unsigned n, std::uint32_t value) {
+    cost_ += 256 * n;
+    return value;
+  }
+  std::uint64_t cost() const { return cost_; }
+
+ private:
+  std::uint64_t cost_ = 0;
+};
+
+template <class Int, class Coder>
+void code_all(Coder& coder, const NamedModel& model, std::span<const std::uint64_t> tops,
+              std::span<Int> rows, const CodedSurface& surface, std::size_t most) {
+  NamedValueCoder<Int, Coder> values(coder, model, tops, rows);
+  for_each_with_nearby(
+      surface, rows.size() / tops.size(), most,
+      [&](std::uint32_t v, const Nearby& nearby) { return values.code(v, nearby); });
+}
+
+/// First what values are predicted by, then the rest.
+template <class Int>
+NamedModel choose_model(std::span<const std::uint64_t> tops, std::span<Int> rows,
+                        const CodedSurface& surface) {
+  std::uint64_t least = ~std::uint64_t(0);
+  NamedModel best;
+  const auto try_one = [&](const NamedModel& model) {
+    if (!model.fits(tops.size())) return;
+    Measure coder;
+    code_all(coder, model, tops, rows, surface, sample);
+    if (coder.cost() >= least) return;
+    least = coder.cost();
+    best = model;
+  };
+  for (std::uint32_t p = 0; p < named_predictors; ++p) {
+    const auto predictor = static_cast<NamedPredictor>(p);
+    if (surface.corners.empty() && predictor > NamedPredictor::before) break;
+    for (const bool repeats : {false, true}) try_one({predictor, Relation::none, repeats});
+  }
+  const NamedModel so_far = best;
+  for (const Relation relation : {Relation::green, Relation::sum})
+    try_one({so_far.predictor, relation, so_far.repeats});
+  return best;
+}
+
+}  // namespace
+
+template <class Int>
+Bytes encode_named_values(const Lattice<Int>& values, const CodedSurface& surface) {
+  Bytes bytes;
+  if (values.rows.empty()) return bytes;
+  const std::size_t components = values.axes.size();
+  std::vector<Int> rows(values.rows.begin(), values.rows.end());
+  std::vector<std::uint64_t> tops;
+  for (std::size_t c = 0; c < components; ++c) {
+    const Axis& axis = values.axes[c];
+    tops.push_back(coded_top(axis));
+    if (axis.palette.empty()) continue;
+    for (std::size_t i = c; i < rows.size(); i += components)
+      rows[i] = static_cast<Int>(std::lower_bound(axis.palette.begin(), axis.palette.end(),
+                                                  static_cast<std::uint64_t>(rows[i])) -
+                                 axis.palette.begin());
+  }
+  const NamedModel model = choose_model<Int>(tops, rows, surface);
+  put_u8(bytes, number_of(model));
+  put_bytes(bytes, encode_stream([&](EncodeTo& coder) {
+              code_all<Int>(coder, model, tops, rows, surface, values.count());
+            }));
+  return bytes;
+}
+
+template Bytes encode_named_values(const Lattice<std::int32_t>&, const CodedSurface&);
+template Bytes encode_named_values(const Lattice<std::int64_t>&, const CodedSurface&);
+
+}  // namespace clers::internal
