@@ -54,16 +54,17 @@ class AxisSteps<Narrow> {
   }
 
   /// The sum of e x f.
-  CLERS_ALWAYS_INLINE std::array<std::int64_t, 3> normal(const std::array<Narrow, 3>& e,
-                                                         const std::array<Narrow, 3>& f) const {
+  template <std::size_t count>
+  CLERS_ALWAYS_INLINE std::array<std::int64_t, 3> normal(const std::array<Narrow, count>& e,
+                                                         const std::array<Narrow, count>& f) const {
     std::array<std::int64_t, 3> n{};
     if (short_) {
-      const auto sum =
-          (cross_of_short(e[0], f[0]) + cross_of_short(e[1], f[1]) + cross_of_short(e[2], f[2]))
-              .stored();
-      for (unsigned i = 0; i < 3; ++i) n[i] = sum.at[i];
+      Narrow sum = cross_of_short(e[0], f[0]);
+      for (std::size_t k = 1; k < count; ++k) sum = sum + cross_of_short(e[k], f[k]);
+      const auto stored = sum.stored();
+      for (unsigned i = 0; i < 3; ++i) n[i] = stored.at[i];
     } else {
-      for (unsigned k = 0; k < 3; ++k) add_cross(e[k].stored().at, f[k].stored().at, n);
+      for (std::size_t k = 0; k < count; ++k) add_cross(e[k].stored().at, f[k].stored().at, n);
     }
     return n;
   }
@@ -145,10 +146,11 @@ class AxisSteps<Wide> {
     }
   }
 
-  std::array<std::int64_t, 3> normal(const std::array<Wide, 3>& e,
-                                     const std::array<Wide, 3>& f) const {
+  template <std::size_t count>
+  std::array<std::int64_t, 3> normal(const std::array<Wide, count>& e,
+                                     const std::array<Wide, count>& f) const {
     std::array<std::int64_t, 3> n{};
-    for (unsigned k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < count; ++k) {
       auto x = e[k].stored(), y = f[k].stored();
       for (unsigned i = 0; i < 3; ++i) {
         x.at[i] = (x.at[i] >> steps_[i].shift) * steps_[i].factor;

@@ -20,9 +20,8 @@ Expected<Done> decode_sized_positions(std::span<const std::byte> bytes, std::uin
     return fail(ErrorCode::invalid, Place::byte, at, "an order of positions that there is not");
   Guides guides{*symmetry, (kind & 2) != 0, {}};
   if (guides.copies) guides.originals = find_originals(surface);
-  const bool valid = with_sized_model(surface, positions, guides, [&](auto& model) {
-    return model.code(coder, static_cast<VisitOrder>(kind & 1));
-  });
+  const bool valid = with_sized_model(surface, positions, guides, static_cast<VisitOrder>(kind & 1),
+                                      [&](auto& model) { return model.code(coder); });
   if (!valid)
     return fail(ErrorCode::invalid, Place::byte, at, "a position is outside of its range");
   if (!coder.finished())

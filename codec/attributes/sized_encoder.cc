@@ -20,8 +20,8 @@ Bytes encode_sized_positions(const CodedSurface& surface, Lattice<Int> positions
     guides.copies = copies_pay(surface, guides.originals, positions);
   }
   LaneEncoder coder;
-  with_sized_model(surface, positions, guides,
-                   [&](auto& model) { return model.code(coder, order); });
+  with_sized_model(surface, positions, guides, order,
+                   [&](auto& model) { return model.code(coder); });
   Bytes out;
   put_u8(out, static_cast<std::uint32_t>(order) | (guides.copies ? 2 : 0));
   put_mirror(out, guides.symmetry);

@@ -54,9 +54,10 @@ struct Guides {
 /// Along their normal a residual is smaller than in their plane, mostly, and what is known of the
 /// one in the plane says more: the vertex lies in the plane. So the axis next to the normal is
 /// coded last, its mean lifted by the slope of the plane.
-template <class Int, class Triple>
+template <class Int, class Triple, VisitOrder order>
 class SizedModel {
   static constexpr bool wide = std::is_same_v<Triple, Wide>;
+  static constexpr bool fast = order == VisitOrder::introduction;
   using Record = Quadruple<typename Triple::Number>;
 
  public:
@@ -76,22 +77,15 @@ class SizedModel {
 
   /// False if no positions are what was decoded.
   template <class Coder>
-  bool code(Coder& coder, VisitOrder order) {
-    if (surface_.twins.empty()) {
-      for_each_introduced(surface_, [&](std::uint32_t t, unsigned i) { code_apart(coder, t, i); });
-    } else if (order == VisitOrder::introduction) {
-      for_each_introduced(surface_, [&](std::uint32_t t, unsigned i) CLERS_INLINE_LAMBDA {
-        if (i == 2) [[likely]]
-          code_at(coder, 3 * t + 2, 3 * t, 3 * t + 1);
-        else
-          code_beside(coder, surface_.corners[3 * std::size_t(t) + i],
-                      i == 0 ? last_ : surface_.corners[3 * std::size_t(t)]);
-      });
-    } else {
+  bool code(Coder& coder) {
+    if constexpr (!fast)
       for_each_by_parallelograms(surface_, [&](HalfEdge h, const Visited&) {
         code_at(coder, h.index(), lnext(h).index(), lprev(h).index());
       });
-    }
+    else if (surface_.twins.empty())
+      for_each_introduced(surface_, [&](std::uint32_t t, unsigned i) { code_apart(coder, t, i); });
+    else
+      code_introduced(coder);
     for (std::uint32_t v = 0; v < count_; ++v)
       if (!surface_.has(v)) code_beside(coder, v, last_);
     return valid_;
@@ -102,6 +96,22 @@ class SizedModel {
   /// 2^16, across it. Sizes of a known vertex are not 0.
   static bool known(const Record& r) { return r.at[3] != 0; }
   static std::uint32_t sizes(const Record& r) { return static_cast<std::uint32_t>(r.at[3]); }
+
+  /// As for_each_introduced, but corners 0 and 1 are looked at only where they may introduce.
+  template <class Coder>
+  void code_introduced(Coder& coder) {
+    const std::uint32_t triangles = static_cast<std::uint32_t>(surface_.corners.size() / 3);
+    for (std::uint32_t t = 0; t < triangles; ++t) {
+      const std::uint32_t* c = surface_.corners.data() + 3 * std::size_t(t);
+      const HalfEdge before = surface_.twins[3 * std::size_t(t)];
+      if (!before || left(before).index() >= t) [[unlikely]] {
+        if (surface_.introduced_by[c[0]] == t) code_beside(coder, c[0], last_);
+        if (surface_.introduced_by[c[1]] == t && c[1] != c[0]) code_beside(coder, c[1], c[0]);
+      }
+      if (surface_.introduced_by[c[2]] == t && c[2] != c[1] && c[2] != c[0])
+        code_at(coder, 3 * t + 2, 3 * t, 3 * t + 1);
+    }
+  }
 
   /// lnext and lprev without a branch, which would go either way.
   static std::uint32_t next_in(std::uint32_t h) { return h + 1 - 3 * (h % 3 == 2); }
@@ -163,9 +173,12 @@ class SizedModel {
     sum += (sizes(rd) + sizes(rdd)) & (0u - static_cast<std::uint32_t>(left));
     sum += (sizes(re) + sizes(ree)) & (0u - static_cast<std::uint32_t>(right));
     const Triple A(ra), B(rb), C(rc), D(rd), E(re);
-    const std::array<std::int64_t, 3> normal =
-        steps_.normal({B - A, (D - B).when(left), (A - E).when(right)},
-                      {B - C, D - Triple(rdd), A - Triple(ree)});
+    std::array<std::int64_t, 3> normal;
+    if constexpr (fast)
+      normal = steps_.normal(std::array{B - A}, std::array{B - C});
+    else
+      normal = steps_.normal(std::array{B - A, (D - B).when(left), (A - E).when(right)},
+                             std::array{B - C, D - Triple(rdd), A - Triple(ree)});
     const std::int64_t nx = std::abs(normal[0]), ny = std::abs(normal[1]), nz = std::abs(normal[2]);
     const unsigned z = (2u - (ny > nz)) & (0u - !((nx > ny) & (nx > nz)));
     static constexpr std::uint8_t after[] = {1, 2, 0};
@@ -343,7 +356,7 @@ class SizedModel {
   const std::uint32_t count_;
   const AxisSteps<Triple> steps_;
   std::vector<Record> records_;
-  ResidualModel residuals_;
+  ResidualModel<!fast> residuals_;
   std::optional<Copies<Int>> copies_;
   std::optional<Mirror<Int>> mirror_;
   std::uint32_t guessed_ = Mirror<Int>::nobody, symmetry_axis_ = 3;
@@ -356,17 +369,21 @@ class SizedModel {
   bool valid_ = true;
 };
 
-/// Calls use(SizedModel) with the one for these axes.
+/// Calls use(SizedModel) with the one for these axes and this order.
 template <class Int, class Use>
 auto with_sized_model(const CodedSurface& surface, Lattice<Int> positions, const Guides& guides,
-                      Use use) {
-  if constexpr (sizeof(Int) == 4)
-    if (AxisSteps<Narrow>::fit(positions.axes)) {
-      SizedModel<Int, Narrow> model(surface, positions, guides);
+                      VisitOrder order, Use use) {
+  const auto with_order = [&]<class Triple>(std::type_identity<Triple>) {
+    if (order == VisitOrder::introduction) {
+      SizedModel<Int, Triple, VisitOrder::introduction> model(surface, positions, guides);
       return use(model);
     }
-  SizedModel<Int, Wide> model(surface, positions, guides);
-  return use(model);
+    SizedModel<Int, Triple, VisitOrder::parallelograms> model(surface, positions, guides);
+    return use(model);
+  };
+  if constexpr (sizeof(Int) == 4)
+    if (AxisSteps<Narrow>::fit(positions.axes)) return with_order(std::type_identity<Narrow>());
+  return with_order(std::type_identity<Wide>());
 }
 
 }  // namespace clers::internal

@@ -27,11 +27,17 @@ class LaneEncoder {
  public:
   static constexpr bool encodes = true;
 
-  /// A symbol in the mean of two distributions, which learn it.
+  /// A symbol in a distribution, which learns it.
+  CLERS_ALWAYS_INLINE unsigned symbol(unsigned lane, Distribution& x, unsigned s) {
+    put(lane, x.starts(), s);
+    x.update(s);
+    return s;
+  }
+  /// The same in the mean of two.
   CLERS_ALWAYS_INLINE unsigned symbol(unsigned lane, Distribution& x, Distribution& y, unsigned s) {
     Starts starts;
     Distribution::mean(x, y, starts);
-    put(lane, starts.at[s], std::uint32_t(starts.at[s + 1]) - starts.at[s]);
+    put(lane, starts, s);
     x.update(s);
     y.update(s);
     return s;
@@ -67,6 +73,10 @@ class LaneEncoder {
 
   void put(unsigned lane, std::uint32_t start, std::uint32_t size) {
     intervals_.push_back(lane << 28 | size << 14 | start);
+  }
+
+  void put(unsigned lane, const Starts& starts, unsigned s) {
+    put(lane, starts.at[s], std::uint32_t(starts.at[s + 1]) - starts.at[s]);
   }
 
   /// Appends the size of the raw bits, the bits, the states, the words.
@@ -123,11 +133,15 @@ class LaneDecoder {
     end_ = next_ + words_.size();
   }
 
+  CLERS_ALWAYS_INLINE unsigned symbol(unsigned lane, Distribution& x, unsigned) {
+    const unsigned s = take(lane, x.starts());
+    x.update(s);
+    return s;
+  }
   CLERS_ALWAYS_INLINE unsigned symbol(unsigned lane, Distribution& x, Distribution& y, unsigned) {
     Starts starts;
     Distribution::mean(x, y, starts);
-    const unsigned s = starts.find(state_[lane] & (shares - 1));
-    advance(lane, starts.at[s], std::uint32_t(starts.at[s + 1]) - starts.at[s]);
+    const unsigned s = take(lane, starts);
     x.update(s);
     y.update(s);
     return s;
@@ -170,6 +184,11 @@ class LaneDecoder {
   }
 
  private:
+  CLERS_ALWAYS_INLINE unsigned take(unsigned lane, const Starts& starts) {
+    const unsigned s = starts.find(state_[lane] & (shares - 1));
+    advance(lane, starts.at[s], std::uint32_t(starts.at[s + 1]) - starts.at[s]);
+    return s;
+  }
   CLERS_ALWAYS_INLINE void advance(unsigned lane, std::uint32_t start, std::uint32_t size) {
     std::uint32_t x = state_[lane];
     x = size * (x >> share_bits) + (x & (shares - 1)) - start;
