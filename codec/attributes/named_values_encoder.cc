@@ -62,7 +62,8 @@ NamedModel choose_model(std::span<const std::uint64_t> tops, std::span<Int> rows
   for (std::uint32_t p = 0; p < named_predictors; ++p) {
     const auto predictor = static_cast<NamedPredictor>(p);
     if (surface.corners.empty() && predictor > NamedPredictor::before) break;
-    for (const bool repeats : {false, true}) try_one({predictor, Relation::none, repeats});
+    for (const Repeats repeats : {Repeats::none, Repeats::values, Repeats::components})
+      try_one({predictor, Relation::none, repeats});
   }
   const NamedModel so_far = best;
   for (const Relation relation : {Relation::green, Relation::sum})

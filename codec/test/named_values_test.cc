@@ -191,6 +191,25 @@ TEST(NamedValues, WhatIsAroundAndBeforeSaves) {
   EXPECT_LT(encode_named_values<std::int32_t>({rows, axes}, ground.arrays.view()).size(), 40u);
 }
 
+TEST(NamedValues, ComponentsThatAreTheSameAroundSave) {
+  // Columns of a wall: x is the same down each, y is rough.
+  const Ground ground{coded(corpus::grid(40, 30)), 41 * 31};
+  const std::vector<Axis> axes(2, Axis{(1u << 24) - 1});
+  std::vector<std::int32_t> rows(2 * ground.values, -1);
+  corpus::Random random(2);
+  for_each_with_nearby(ground.arrays.view(), ground.values, ground.values,
+                       [&](std::uint32_t v, const Nearby& n) {
+                         const bool same = n.count > 0 && random.chance(80);
+                         rows[2 * v] = same ? rows[2 * n.around[random.below(2) % n.count]]
+                                            : std::int32_t(random.below(1u << 24));
+                         rows[2 * v + 1] = std::int32_t(random.below(1u << 24));
+                         return true;
+                       });
+  const Bytes bytes = encode_named_values<std::int32_t>({rows, axes}, ground.arrays.view());
+  EXPECT_EQ(named_model(std::to_integer<std::uint32_t>(bytes[0])).repeats, Repeats::components);
+  EXPECT_LT(8 * bytes.size(), ground.values * (24 + 6 + 2 + 3));
+}
+
 TEST(NamedValues, NoBytesHarm) {
   corpus::Random random(9);
   for (const Ground& ground : grounds()) {
@@ -243,10 +262,10 @@ TEST(NamedValues, WhatIsNotAModelIsRefused) {
   EXPECT_TRUE(refused({}));
   EXPECT_TRUE(refused({std::byte(named_models), std::byte(0), std::byte(1)}));
   const auto byte_of = [](NamedModel model) { return std::byte(number_of(model)); };
-  EXPECT_TRUE(refused(
-      {byte_of({NamedPredictor::before, Relation::green, false}), std::byte(0), std::byte(1)}));
-  EXPECT_TRUE(refused(
-      {byte_of({NamedPredictor::symbol, Relation::sum, true}), std::byte(0), std::byte(1)}));
+  EXPECT_TRUE(refused({byte_of({NamedPredictor::before, Relation::green, Repeats::none}),
+                       std::byte(0), std::byte(1)}));
+  EXPECT_TRUE(refused({byte_of({NamedPredictor::symbol, Relation::sum, Repeats::values}),
+                       std::byte(0), std::byte(1)}));
   back.clear();
   EXPECT_TRUE(refused({std::byte(0)}));
   EXPECT_FALSE(refused({}));
