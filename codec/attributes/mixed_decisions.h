@@ -12,7 +12,7 @@
 #include "codec/attributes/distribution.h"
 #include "codec/attributes/fixed_point.h"
 #include "codec/attributes/mixed_mixing.h"
-#include "codec/attributes/mixed_space.h"
+#include "codec/attributes/mixed_ruler.h"
 #include "codec/entropy/coder.h"
 
 namespace clers::internal::mixed {
@@ -52,6 +52,14 @@ class Gauge {
   std::int64_t mantissa_[experts];
   int shift_[experts];
 };
+
+/// How far a place is from what an expert says, in 1/128 of its scale; at most 10000.
+inline int distance(const Opinion& opinion, std::int64_t place) {
+  const std::int64_t off = size_of(place - opinion.mean);
+  const int power = -opinion.scale;
+  const std::int64_t mantissa = fixed::tables::powers[static_cast<std::size_t>(power & 255)];
+  return static_cast<int>(std::min<std::int64_t>(off * mantissa >> (9 - (power >> 8)), 10000));
+}
 
 /// Codes one component. `present` has a bit for each expert that says something, `lead` is one of
 /// them. False: what was decoded is not in 0 .. top.

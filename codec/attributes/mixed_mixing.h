@@ -16,7 +16,18 @@
 
 namespace clers::internal::mixed {
 
-inline constexpr unsigned experts = 8;
+/// Who says where the next vertex is.
+enum Expert : unsigned {
+  plain_mean,      ///< of parallelograms
+  corrected_mean,  ///< the same, with what was learned
+  line_mean,       ///< of lines through neighbours
+  axis_mean,       ///< the plain mean, whose scale is known along axes
+  gate_end,        ///< the first parallelogram
+  shape_or_copy,   ///< by an earlier component, or by shapes of the same degrees
+  ring_mean,       ///< of neighbours
+  mirror_image,
+  experts
+};
 
 /// Where in a value a decision is.
 struct Context {

@@ -26,9 +26,7 @@ namespace clers::internal::mixed {
 class Shapes {
  public:
   Shapes() : shapes_(keys), of_degree_(degrees) {}
-  static constexpr std::uint64_t memory() {
-    return std::uint64_t(keys + degrees) * sizeof(Shape);
-  }
+  static constexpr std::uint64_t memory() { return std::uint64_t(keys + degrees) * sizeof(Shape); }
 
   /// Degrees of v, a, b, c.
   static unsigned key(unsigned v, unsigned a, unsigned b, unsigned c) {
@@ -42,7 +40,7 @@ class Shapes {
     std::int64_t length = 1;
     unsigned key = 0;
   };
-  static Place place(Vector a, Vector b, Vector normal, unsigned key) {
+  static Place place(const Vector& a, const Vector& b, const Vector& normal, unsigned key) {
     const Vector edge = b - a;
     const std::uint64_t square = static_cast<std::uint64_t>(dot(edge >> 4, edge >> 4));
     return {(a + b) >> 1, edge, cross(normal, edge) >> 14,
@@ -52,12 +50,12 @@ class Shapes {
   }
 
   /// Where v is by the average shape: that of all with v's degree, if none had all four.
-  Vector predict(const Place& at, Vector normal) const {
+  Vector predict(const Place& at, const Vector& normal) const {
     const Shape& s = shapes_[at.key].seen ? shapes_[at.key] : of_degree_[degree(at.key)];
     return at.middle + (at.edge * s.x >> 14) + (at.across * s.y >> 14) +
            (normal * (s.z * at.length >> 14) >> 14);
   }
-  void learn(const Place& at, Vector v, Vector normal) {
+  void learn(const Place& at, const Vector& v, const Vector& normal) {
     const Vector d = v - at.middle;
     // Along the sides, lengths over at.length.
     const std::int64_t square = std::max<std::int64_t>(at.length * at.length >> 14, 1);
