@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "codec/attributes/fixed_point.h"
 #include "codec/attributes/vector.h"
 #include "codec/entropy/mixer.h"
 
@@ -58,8 +59,8 @@ class Correction {
     }
     const std::uint32_t across = all > along ? all - along : 0;
     const auto rate = [](std::uint32_t power) {
-      return static_cast<std::int64_t>((std::uint64_t(mu) << 20) /
-                                       (std::uint64_t(power) + least_power));
+      return static_cast<std::int64_t>(
+          mu * fixed::inverse(40, std::uint64_t(power) + least_power) >> 20);
     };
     const auto step = [](std::int64_t e, std::int64_t by) {
       return static_cast<std::int16_t>(std::clamp<std::int64_t>(e * by >> 20, -32767, 32767));
@@ -76,7 +77,7 @@ class Correction {
  private:
   static constexpr int coarser = 9;  ///< features are in units of 2^9 of the frame's
   static constexpr std::int64_t most = 8191;
-  static constexpr std::uint32_t mu = 1342177;  ///< .04 * 2^(28 + 6 - 9)
+  static constexpr std::uint64_t mu = 1342177;  ///< .04 * 2^(28 + 6 - 9)
   static constexpr std::uint32_t least_power = 1 << 16;
 
   alignas(16) std::array<std::int16_t, features> x_ = {}, y_ = {}, z_ = {}, n_ = {};

@@ -65,8 +65,6 @@ class Model {
   }
 
  private:
-  static constexpr unsigned all_experts = 0xff, without_image = all_experts & ~(1u << mirror_image);
-
   /// The mean of each expert, in the frame.
   void predict(const Stars& stars, std::uint32_t v, const Star& star) {
     const Vector shape = predict_shape(stars, v, star);
@@ -152,8 +150,7 @@ class Model {
       context.missed = k == 0 ? 0 : farthest < 64 ? 0 : farthest < 128 ? 1 : farthest < 256 ? 2 : 3;
       context.scale = scale_context(opinions[lead], ruler);
       mixing_.set(context);
-      if (!code_one(coder, ruler, opinions, mirrored() ? all_experts : without_image, lead, v, c))
-        return false;
+      if (!code_one(coder, ruler, opinions, lead, v, c)) return false;
       farthest = std::max(farthest, distance(opinions[lead], place_[c]));
       const auto far_off = [&](unsigned i, int scale) {
         const int usual = std::max(scale, space_.step(c));
@@ -189,10 +186,13 @@ class Model {
 
   template <class Coder>
   bool code_one(Coder& coder, const Ruler& ruler, const std::array<Opinion, experts>& opinions,
-                unsigned present, unsigned lead, std::uint32_t v, std::size_t c) {
+                unsigned lead, std::uint32_t v, std::size_t c) {
     Int& integer = rows_[3 * std::size_t(v) + c];
     std::uint64_t value = static_cast<std::uint64_t>(integer);
-    if (!code_component(coder, mixing_, ruler, opinions, present, lead, value)) return false;
+    // The image is the last expert.
+    ComponentCoder<Coder> component(coder, mixing_, ruler, opinions,
+                                    mirrored() ? experts : mirror_image);
+    if (!component.code(opinions[lead], value)) return false;
     integer = static_cast<Int>(value);
     place_[c] = Frame::scaled(space_.coordinate(c, integer) - at_.frame.origin[c], at_.frame.finer);
     return true;
@@ -230,7 +230,7 @@ class Model {
       context.component = c;
       context.scale = scale_context(opinions[0], ruler);
       mixing_.set(context);
-      if (!code_one(coder, ruler, opinions, without_image, corrected_mean, v, c)) return false;
+      if (!code_one(coder, ruler, opinions, corrected_mean, v, c)) return false;
     }
     scale += static_cast<int>(excess(at_.size(place_ - from), scale)) / 4;
     past_.remember(v, edge_ - 512);

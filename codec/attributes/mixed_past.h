@@ -51,7 +51,7 @@ class Past {
     for (unsigned i = 0; i < star.parallelograms; ++i)
       corners += residual(star.parallelogram[i].c, frame);
     const auto average = [&](std::int64_t sum) {
-      return static_cast<int>(sum * (65536 / star.ring_size) >> 16);
+      return static_cast<int>(sum * part(star.ring_size) >> 16);
     };
     return {residual(gate.a, frame),
             residual(gate.b, frame),

@@ -4,6 +4,7 @@
 #define CLERS_CODEC_ATTRIBUTES_MIXED_SURROUNDINGS_H
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -16,9 +17,19 @@
 
 namespace clers::internal::mixed {
 
-/// A sum of n over n, n at most 65536, rounded down twice.
+/// 65536 / n, 0 < n <= Star::most_ring.
+inline std::int64_t part(unsigned n) {
+  static constexpr auto parts = [] {
+    std::array<std::uint16_t, Star::most_ring + 1> p = {};
+    for (unsigned i = 2; i < p.size(); ++i) p[i] = static_cast<std::uint16_t>(65536 / i);
+    return p;
+  }();
+  return n == 1 ? 65536 : parts[n];
+}
+
+/// A sum of n over n, rounded down.
 inline Vector mean(const Vector& sum, unsigned n) {
-  return sum * (65536 / n) >> 16;
+  return sum * part(n) >> 16;
 }
 
 /// Points of a lattice.
