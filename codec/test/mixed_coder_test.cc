@@ -197,15 +197,17 @@ TEST(Distribution, IsNearTheTruth) {
   const int top = tables.log_density(0);
   for (int z = -Distribution::most; z <= Distribution::most; ++z) {
     const double x = z / 128.;
-    EXPECT_NEAR(tables.at_least(z), limited(std::log(survival(x) / survival(-x))), 1.1);
+    EXPECT_NEAR(tables.survival(z), 4096 * std::log(survival(x)), 1.1);
     EXPECT_NEAR(tables.log_density(z) - top, 256 * std::log(density(x) / density(0)), 1.6);
     for (int to = z + 3; to <= std::min(z + 700, Distribution::most); to += 41) {
       const double r = std::log(survival(x) / survival(to / 128.));
       if (r < .02) continue;
-      EXPECT_NEAR(tables.further(z, to), limited(-std::log(std::expm1(r))), 6);
+      EXPECT_NEAR(tables.odds(tables.survival(z) - tables.survival(to)),
+                  limited(-std::log(std::expm1(r))), 6);
     }
   }
-  EXPECT_EQ(tables.further(5, 5), 2815);
+  EXPECT_EQ(tables.odds(0), 2815);
+  EXPECT_EQ(tables.odds(1 << 20), -2815);
   EXPECT_EQ(tables.log_density(1 << 30), tables.log_density(-Distribution::most));
 }
 
