@@ -40,8 +40,8 @@ std::string precision_fault(const Precision& precision);
 /// of a double as large as the largest number. With Precision::Kind::error it is never off by more
 /// than was asked. Zeros that stay zeros keep their sign on grids that do not depend on the values.
 ///
-/// Of a component that is on a coarser grid already that one is taken, and nothing is moved, unless
-/// the grid is the caller's.
+/// A component that is on a coarser grid already stays as it is, and is moved to one that it is
+/// nearly on (near_grid.h), unless the grid does not depend on the values.
 ///
 /// Errors: bad_option (another number of origins), not_on_grid. Precondition: no precision_fault.
 /// Cost: linear, and a copy of the values.
