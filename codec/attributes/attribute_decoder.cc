@@ -157,7 +157,9 @@ AttributeMemory decoding_memory(const AttributeHeader& header, std::uint64_t cou
                                  (header.narrow ? sizeof(std::int32_t) : sizeof(std::int64_t)),
                       numbers = NumberReader::memory(header.attribute.components, count);
   if (header.begins_without_faces())
-    return {numbers + integers, header.coder == Coder::planes ? integers : residuals_memory,
+    return {numbers + integers,
+            header.coder == Coder::planes ? integers
+                                          : residuals_memory(count, header.attribute.components),
             header.coder == Coder::planes ? integers : 0};
   const std::uint64_t coding = header.coder == Coder::named
                                    ? named_values_memory(count, header.attribute.components)

@@ -104,7 +104,7 @@ class AttributeEncoder {
     const Lattice<const Int> ranks{rows, ranked};
     // Static shares need no time to learn, so few values may take less.
     if (level_ < 5 || rows.size() < few)
-      take(Coder::ordered, encode_ordered(ranks, surface_of(attribute_, surface_)));
+      take(Coder::ordered, encode_ordered(ranks, surface_of(attribute_, surface_), level_));
     if (level_ < 5) return Done{};
     auto packed = pack_integers(ranks, predictors_, surface_, zstd_level(level_));
     if (!packed) return Failure{packed.error()};
