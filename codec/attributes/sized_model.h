@@ -17,6 +17,7 @@
 #include "codec/attributes/copies.h"
 #include "codec/attributes/lattice.h"
 #include "codec/attributes/mirror.h"
+#include "codec/attributes/parallelograms.h"
 #include "codec/attributes/residual_sizes.h"
 #include "codec/attributes/sized_positions.h"
 #include "codec/attributes/symmetry.h"
@@ -80,7 +81,7 @@ class SizedModel {
   bool code(Coder& coder) {
     if constexpr (!fast)
       for_each_by_parallelograms(surface_, [&](HalfEdge h, const Visited&) {
-        code_at(coder, h.index(), lnext(h).index(), lprev(h).index());
+        code_at(coder, h.index(), next_in(h.index()), previous_in(h.index()));
       });
     else if (surface_.twins.empty())
       for_each_introduced(surface_, [&](std::uint32_t t, unsigned i) { code_apart(coder, t, i); });
@@ -112,10 +113,6 @@ class SizedModel {
         code_at(coder, 3 * t + 2, 3 * t, 3 * t + 1);
     }
   }
-
-  /// lnext and lprev without a branch, which would go either way.
-  static std::uint32_t next_in(std::uint32_t h) { return h + 1 - 3 * (h % 3 == 2); }
-  static std::uint32_t previous_in(std::uint32_t h) { return h - 1 + 3 * (h % 3 == 0); }
 
   /// The vertex that half-edge h leaves, where `next` and `previous` are the two after it.
   template <class Coder>
