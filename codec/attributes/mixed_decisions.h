@@ -84,7 +84,7 @@ class ComponentCoder {
     const std::int64_t index = Coder::encodes ? ruler_.index(value) : 0;
     const int scale = lead.scale - ruler_.step();  // of an integer
     const int most_bits = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(count))) - 4;
-    low_bits_ = ruler_.ranks() ? 0 : std::max(std::min((scale >> 8) - 3, most_bits), 0);
+    low_bits_ = ruler_.ranks() ? 0 : std::max(std::min((scale >> 8) - 1, most_bits), 0);
     middle_ = ruler_.first_at_least(lead.mean);
     low_edge_ = ruler_.edge(middle_);
     up_ = first(index);
