@@ -96,9 +96,9 @@ bool for_each_with_nearby(const CodedSurface& surface, std::size_t values, std::
 
 /// The same for values of corners, in their order. surface.corners are the vertices that they are
 /// at; where twins are there too, they are those of triangles, and values are as many as corners.
-/// Nearby are the last two values at the vertex or, if there is none, those of the triangle so far.
-/// The gate's parallelogram ends at the last corner of a triangle, across a seam or not. Cost:
-/// linear.
+/// Nearby are values at the same vertex: across the side from the corner to the next, across the
+/// one that ends there, the last two; if there is none, those of the triangle so far. The gate's
+/// parallelogram ends at the last corner of a triangle, across a seam or not. Cost: linear.
 template <class Visit>
 bool for_each_corner_with_nearby(const CodedSurface& surface, std::size_t most, Visit visit) {
   const std::span<const std::uint32_t> corners = surface.corners;
@@ -112,6 +112,11 @@ bool for_each_corner_with_nearby(const CodedSurface& surface, std::size_t most, 
     auto& at_vertex = last[corners[h]];
     nearby.count = 0;
     nearby.a = nearby.b = nearby.c = Nearby::none;
+    if (!surface.twins.empty()) {
+      const HalfEdge after = surface.twins[h], before = surface.twins[lprev(HalfEdge(i)).index()];
+      if (after && lnext(after).index() < i) nearby.add(lnext(after).index());
+      if (before && before.index() < i) nearby.add(before.index());
+    }
     for (const std::uint32_t u : at_vertex)
       if (u != Nearby::none) nearby.add(u);
     if (!surface.twins.empty()) {
