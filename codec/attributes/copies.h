@@ -146,8 +146,9 @@ class Copies {
 
   const Int* row(std::uint32_t v) const { return rows_ + 3 * std::size_t(v); }
 
-  /// The original of a vertex that is in a triangle, if it is known.
+  /// The original of a vertex, if it is known. Where nothing has twins there are none at all.
   std::uint32_t original(std::uint32_t v) const {
+    if (v >= known_.size()) return none;
     const std::uint32_t w = originals_->of[v];
     return w != none && known_[w] ? w : none;
   }
