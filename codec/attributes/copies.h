@@ -39,9 +39,9 @@ struct Originals {
 /// std::bad_alloc only.
 Originals find_originals(const CodedSurface& surface);
 
-/// What find_originals allocates, what it returns included.
+/// What find_originals allocates at most, what it returns included.
 inline std::uint64_t originals_memory(std::uint64_t vertices, std::uint64_t triangles) {
-  return 12 * vertices + 3 * 24 * std::min(triangles, vertices);
+  return 12 * vertices + 24 * triangles;
 }
 
 /// Whether vertices that have an original are nearer to where they are guessed than to where
