@@ -233,8 +233,9 @@ class NamedValueCoder {
       lately = repeated_[n.before];
     }
     const std::size_t context = 3 * lately / all;
+    const bool before = n.before != Nearby::none && repeated_[n.before];
     for (std::size_t i = 0; i < count; ++i) {
-      BitModel& m = repeat_[context][count - 1][i];
+      BitModel& m = repeat_[before][context][count - 1][i];
       if (!coder_.bit(m, Coder::encodes && same(v, different[i]))) continue;
       if (!Coder::encodes)
         for (std::size_t c = 0; c < width_; ++c) at(v, c) = at(different[i], c);
@@ -284,7 +285,7 @@ class NamedValueCoder {
   std::vector<LengthModel> by_quarter_, by_component_;
   std::vector<MantissaModel> mantissas_;
   std::vector<SymbolModel> symbols_;
-  BitModel repeat_[4][4][4], component_repeat_[4][2][4][8][3];
+  BitModel repeat_[2][4][4][4], component_repeat_[4][2][4][8][3];
 };
 
 }  // namespace clers::internal
