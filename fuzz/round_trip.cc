@@ -101,6 +101,21 @@ void check(const clers::Mesh& in, const clers::Mesh& out, const clers::Permutati
                         12) == 0);
 }
 
+/// On a grid: within the error that is stated, which is that found.
+void check_quantised(const clers::Mesh& mesh, clers::EncodeOptions options, int bits) {
+  options.precisions = {{clers::position_name, clers::Precision::of_bits(bits)}};
+  const auto coded = clers::encode(mesh, options);
+  if (!coded) return require(coded.error().code == clers::ErrorCode::not_on_grid);
+  const auto out = clers::decode(coded->bytes);
+  require(out.ok() && out->size() == 1);
+  const double error = coded->report[0].attributes[0].error;
+  const clers::Tolerance tolerances[] = {{clers::position_name, error}};
+  const auto compared = clers::compare(mesh, out->front(), std::span(tolerances, error > 0 ? 1 : 0),
+                                       coded->permutations[0]);
+  require(compared.ok() && compared->verdict == clers::Verdict::same);
+  require(error == 0 || compared->errors[0].error == error);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -112,6 +127,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto out = clers::decode(coded->bytes);
   require(out.ok() && out->size() == 1);
   check(mesh, out->front(), coded->permutations[0]);
+  check_quantised(mesh, options, 1 + static_cast<int>(size % 30));
   options.threads = 2;
   const auto by_two = clers::encode(std::span(&mesh, 1), options);
   require(by_two.ok() && by_two->bytes == coded->bytes);
