@@ -40,6 +40,23 @@ Attribute words_of(const AttributeHeader& header, Bytes residuals, const CodedSu
   return attribute;
 }
 
+/// What codes the integers.
+std::span<const std::byte> integers_of(std::span<const std::byte> bytes,
+                                       const AttributeHeader& header) {
+  return bytes.subspan(header.bytes + static_cast<std::size_t>(header.numbers_size));
+}
+
+Expected<NumberReader> read_numbers(std::span<const std::byte> bytes, std::uint64_t at,
+                                    const AttributeHeader& header, std::uint64_t count) {
+  const auto part = bytes.subspan(header.bytes, static_cast<std::size_t>(header.numbers_size));
+  ByteReader in(part, at + header.bytes);
+  auto numbers =
+      NumberReader::read(in, header.attribute.scalar, header.attribute.components, count);
+  if (numbers && in.left() > 0)
+    return fail(ErrorCode::invalid, Place::byte, in.offset(), "bytes after the numbers");
+  return numbers;
+}
+
 /// Rows of `count` values.
 Rows make_rows(const AttributeHeader& header, std::size_t count) {
   const std::size_t n = count * header.attribute.components;
@@ -79,9 +96,7 @@ Expected<Done> check_values(std::span<const std::byte> bytes, std::uint64_t at,
 Expected<std::string> describe_numbers(std::span<const std::byte> bytes, std::uint64_t at,
                                        const AttributeHeader& header, std::uint64_t count) {
   if (header.coder == Coder::words) return std::string(words_text);
-  ByteReader in(bytes.subspan(header.bytes), at + header.bytes);
-  const auto numbers =
-      NumberReader::read(in, header.attribute.scalar, header.attribute.components, count);
+  const auto numbers = read_numbers(bytes, at, header, count);
   if (!numbers) return Failure{numbers.error()};
   return in_words(numbers->numbers());
 }
@@ -97,19 +112,16 @@ Expected<BegunAttribute> begin_attribute(std::span<const std::byte> bytes, std::
       return Failure{ok.error()};
     return begun;
   }
-  ByteReader in(bytes.subspan(header.bytes), at + header.bytes);
-  auto numbers =
-      NumberReader::read(in, header.attribute.scalar, header.attribute.components, count);
+  auto numbers = read_numbers(bytes, at, header, count);
   if (!numbers) return Failure{numbers.error()};
   if (numbers->numbers().narrow() != header.narrow)
     return fail(ErrorCode::invalid, Place::byte, at,
                 "integers of another size than the attribute says");
-  begun.position = header.bytes + in.position();
   begun.numbers = std::move(*numbers);
   if (!header.begins_without_faces()) return begun;
   begun.rows = make_rows(header, static_cast<std::size_t>(count));
-  const auto coded = bytes.subspan(begun.position);
-  const std::uint64_t coded_at = at + begun.position;
+  const auto coded = integers_of(bytes, header);
+  const std::uint64_t coded_at = at + bytes.size() - coded.size();
   const std::vector<Axis> axes = with_ranks(begun.numbers->numbers().axes);
   const auto ok = std::visit(
       [&](auto& rows) -> Expected<Done> {
@@ -132,8 +144,8 @@ Expected<Attribute> finish_attribute(std::span<const std::byte> bytes, std::uint
   if (!header.begins_without_faces())
     begun.rows = make_rows(header, static_cast<std::size_t>(count));
   const std::vector<Axis>& axes = begun.numbers->numbers().axes;
-  const auto coded = bytes.subspan(begun.position);
-  const std::uint64_t coded_at = at + begun.position;
+  const auto coded = integers_of(bytes, header);
+  const std::uint64_t coded_at = at + bytes.size() - coded.size();
   Attribute attribute = header.attribute;
   const auto ok = std::visit(
       [&](auto& rows) -> Expected<Done> {
@@ -149,8 +161,8 @@ Expected<Attribute> finish_attribute(std::span<const std::byte> bytes, std::uint
   return attribute;
 }
 
-AttributeMemory decoding_memory(const AttributeHeader& header, std::uint64_t count,
-                                std::uint64_t triangles) {
+AttributeMemory decoding_memory(std::span<const std::byte> bytes, const AttributeHeader& header,
+                                std::uint64_t count, std::uint64_t triangles) {
   const std::uint64_t size = count * header.attribute.stride();
   if (header.coder == Coder::words) return {size, size, 0};
   const std::uint64_t integers = count * header.attribute.components *
@@ -161,10 +173,11 @@ AttributeMemory decoding_memory(const AttributeHeader& header, std::uint64_t cou
             header.coder == Coder::planes ? integers
                                           : residuals_memory(count, header.attribute.components),
             header.coder == Coder::planes ? integers : 0};
-  const std::uint64_t coding = header.coder == Coder::named
-                                   ? named_values_memory(count, header.attribute.components)
-                               : header.coder == Coder::sized ? sized_positions_memory(count)
-                                                              : mixed_memory(count, triangles);
+  const std::uint64_t coding =
+      header.coder == Coder::named ? named_values_memory(count, header.attribute.components)
+      : header.coder == Coder::sized
+          ? sized_positions_memory(integers_of(bytes, header), count, triangles)
+          : mixed_memory(count, triangles);
   return {numbers, 0, integers + coding};
 }
 

@@ -35,7 +35,6 @@ struct BegunAttribute {
   std::optional<NumberReader> numbers;  ///< of all others,
   Rows rows;                            ///< with residuals, where these need no faces
   OrderPredictor predictor = OrderPredictor::previous;  ///< of ordered ones
-  std::size_t position = 0;                             ///< where what codes the integers begins
 };
 /// Precondition: check_values. Errors: truncated, invalid. Throws std::bad_alloc only.
 Expected<BegunAttribute> begin_attribute(std::span<const std::byte> bytes, std::uint64_t at,
@@ -53,8 +52,8 @@ struct AttributeMemory {
   std::uint64_t beginning = 0;  ///< besides, while it is made
   std::uint64_t finishing = 0;  ///< besides it and the values, while they are made
 };
-AttributeMemory decoding_memory(const AttributeHeader& header, std::uint64_t count,
-                                std::uint64_t triangles);
+AttributeMemory decoding_memory(std::span<const std::byte> bytes, const AttributeHeader& header,
+                                std::uint64_t count, std::uint64_t triangles);
 
 }  // namespace clers::internal
 

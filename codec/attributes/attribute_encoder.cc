@@ -72,6 +72,7 @@ class AttributeEncoder {
     AttributeHeader header = header_;
     header.coder = coder;
     header.predictor = predictor;
+    header.numbers_size = numbers.size();
     if (coder == Coder::words) header.narrow = true;
     Bytes bytes;
     put_attribute_header(bytes, header);

@@ -59,6 +59,8 @@ struct AttributeHeader {
   Coder coder = Coder::words;
   bool narrow = true;                     ///< integers are std::int32_t
   Predictor predictor = Predictor::none;  ///< of words and planes
+  std::uint64_t numbers_size = 0;         ///< of all but words: bytes of what follows the header,
+                                          ///< before the integers
   std::size_t bytes = 0;                  ///< that the header takes
 
   bool in_planes() const { return coder == Coder::words || coder == Coder::planes; }
@@ -104,6 +106,7 @@ inline void put_attribute_header(Bytes& out, const AttributeHeader& header) {
     put_u32(out, static_cast<std::uint32_t>(error >> 32));
   }
   if (header.in_planes()) put_u8(out, static_cast<std::uint32_t>(header.predictor));
+  if (header.coder != Coder::words) put_varint(out, header.numbers_size);
 }
 
 /// Reads and checks what put_attribute_header wrote. `at` is the offset of `bytes` in the file, for
@@ -121,6 +124,8 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
   }
   const std::uint32_t coder = how & 0x3f;
   const std::uint32_t predictor = coder <= static_cast<std::uint32_t>(Coder::planes) ? in.u8() : 0;
+  if (coder != static_cast<std::uint32_t>(Coder::words)) header.numbers_size = in.varint();
+  if (header.numbers_size > in.left()) in.take(header.numbers_size);  // fails
   if (!in.ok()) return Failure{in.error()};
   const auto invalid = [&](const char* what, std::uint32_t value) {
     return fail(ErrorCode::invalid, Place::byte, at,

@@ -161,7 +161,7 @@ struct ValuesMemory {
   std::uint64_t held, step;
 };
 ValuesMemory memory_of(const PieceSections::AttributeSection& a, std::uint64_t triangles) {
-  const AttributeMemory memory = decoding_memory(a.header, a.count, triangles);
+  const AttributeMemory memory = decoding_memory(a.bytes, a.header, a.count, triangles);
   const std::uint64_t result = attribute_memory(a.header.attribute, a.count);
   return {std::max(memory.begun, result) + sizeof(Expected<BegunAttribute>),
           std::max(memory.beginning, result + memory.finishing)};
