@@ -25,13 +25,11 @@ CLERS_ALWAYS_INLINE std::uint64_t magnitude(std::int64_t x) {
   return static_cast<std::uint64_t>((x ^ sign) - sign);
 }
 
-/// e x f, added to n.
 template <class Number>
-CLERS_ALWAYS_INLINE void add_cross(const Number* e, const Number* f,
-                                   std::array<std::int64_t, 3>& n) {
-  n[0] += std::int64_t(e[1]) * f[2] - std::int64_t(e[2]) * f[1];
-  n[1] += std::int64_t(e[2]) * f[0] - std::int64_t(e[0]) * f[2];
-  n[2] += std::int64_t(e[0]) * f[1] - std::int64_t(e[1]) * f[0];
+CLERS_ALWAYS_INLINE std::array<std::int64_t, 3> cross(const Number* e, const Number* f) {
+  return {std::int64_t(e[1]) * f[2] - std::int64_t(e[2]) * f[1],
+          std::int64_t(e[2]) * f[0] - std::int64_t(e[0]) * f[2],
+          std::int64_t(e[0]) * f[1] - std::int64_t(e[1]) * f[0]};
 }
 
 template <class Triple>
@@ -53,20 +51,11 @@ class AxisSteps<Narrow> {
     }
   }
 
-  /// The sum of e x f.
-  template <std::size_t count>
-  CLERS_ALWAYS_INLINE std::array<std::int64_t, 3> normal(const std::array<Narrow, count>& e,
-                                                         const std::array<Narrow, count>& f) const {
-    std::array<std::int64_t, 3> n{};
-    if (short_) {
-      Narrow sum = cross_of_short(e[0], f[0]);
-      for (std::size_t k = 1; k < count; ++k) sum = sum + cross_of_short(e[k], f[k]);
-      const auto stored = sum.stored();
-      for (unsigned i = 0; i < 3; ++i) n[i] = stored.at[i];
-    } else {
-      for (std::size_t k = 0; k < count; ++k) add_cross(e[k].stored().at, f[k].stored().at, n);
-    }
-    return n;
+  /// e x f
+  CLERS_ALWAYS_INLINE std::array<std::int64_t, 3> normal(Narrow e, Narrow f) const {
+    if (!short_) return cross(e.stored().at, f.stored().at);
+    const auto n = cross_of_short(e, f).stored();
+    return {n.at[0], n.at[1], n.at[2]};
   }
 
   /// What is between 0 and top, of what is predicted.
@@ -146,19 +135,13 @@ class AxisSteps<Wide> {
     }
   }
 
-  template <std::size_t count>
-  std::array<std::int64_t, 3> normal(const std::array<Wide, count>& e,
-                                     const std::array<Wide, count>& f) const {
-    std::array<std::int64_t, 3> n{};
-    for (std::size_t k = 0; k < count; ++k) {
-      auto x = e[k].stored(), y = f[k].stored();
-      for (unsigned i = 0; i < 3; ++i) {
-        x.at[i] = (x.at[i] >> steps_[i].shift) * steps_[i].factor;
-        y.at[i] = (y.at[i] >> steps_[i].shift) * steps_[i].factor;
-      }
-      add_cross(x.at, y.at, n);
+  std::array<std::int64_t, 3> normal(Wide e, Wide f) const {
+    auto x = e.stored(), y = f.stored();
+    for (unsigned i = 0; i < 3; ++i) {
+      x.at[i] = (x.at[i] >> steps_[i].shift) * steps_[i].factor;
+      y.at[i] = (y.at[i] >> steps_[i].shift) * steps_[i].factor;
     }
-    return n;
+    return cross(x.at, y.at);
   }
 
   Wide inside(Wide t) const {

@@ -50,16 +50,13 @@ CLERS_ALWAYS_INLINE std::uint64_t low_bits(std::int64_t r, unsigned width) {
 ///     | -1 |  0 |  1 |  2 |      0 is in the middle of its bin
 ///
 /// Sixteenth symbol: a bin further out, which follows. Contexts are octaves of the size expected
-/// and what else is near; if `mixed`, half and half with one of octaves alone.
-template <bool mixed>
+/// and what else is near.
 class ResidualModel {
  public:
   static constexpr unsigned kinds = 5;
   static constexpr unsigned nears = 9;  ///< what else is near: contexts that callers number
 
   ResidualModel() {
-    for (unsigned octave = 0; mixed && octave < ResidualContext::octaves; ++octave)
-      by_octave_.insert(by_octave_.end(), kinds, prior(octave));
     for (unsigned octave = 0; octave < few; ++octave)
       by_near_.insert(by_near_.end(), kinds * nears, prior(octave));
     beyond_.assign(kinds, prior(1));
@@ -78,12 +75,7 @@ class ResidualModel {
       symbol = bin < -7 || bin > 7 ? 15 : static_cast<unsigned>(bin + 7);
     }
     const unsigned octave = std::min(context.octave, few - 1);
-    Distribution& near_one = by_near_[(octave * kinds + context.kind) * nears + near];
-    if constexpr (mixed)
-      symbol =
-          coder.symbol(lane, by_octave_[context.kind + kinds * context.octave], near_one, symbol);
-    else
-      symbol = coder.symbol(lane, near_one, symbol);
+    symbol = coder.symbol(lane, by_near_[(octave * kinds + context.kind) * nears + near], symbol);
     if (symbol == 15) [[unlikely]] {
       if (!code_beyond(coder, lane, context, bin)) return false;
     } else {
@@ -94,8 +86,7 @@ class ResidualModel {
   }
 
  private:
-  static constexpr unsigned few =
-      mixed ? 5 : 8;  ///< octaves that are told apart beside what else is near
+  static constexpr unsigned few = 8;  ///< octaves that are told apart
 
   template <class Coder>
   CLERS_NEVER_INLINE bool code_beyond(Coder& coder, unsigned lane, ResidualContext context,
@@ -136,7 +127,7 @@ class ResidualModel {
     return Distribution(share);
   }
 
-  std::vector<Distribution> by_octave_, by_near_, beyond_;
+  std::vector<Distribution> by_near_, beyond_;
 };
 
 }  // namespace clers::internal

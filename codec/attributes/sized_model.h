@@ -52,13 +52,12 @@ struct Guides {
 ///             \ /
 ///              c
 ///
-/// Along their normal a residual is smaller than in their plane, mostly, and what is known of the
-/// one in the plane says more: the vertex lies in the plane. So the axis next to the normal is
-/// coded last, its mean lifted by the slope of the plane.
+/// Along the normal of the first a residual is smaller than in their plane, mostly, and what is
+/// known of the one in the plane says more: the vertex lies in the plane. So the axis next to the
+/// normal is coded last, its mean lifted by the slope of the plane.
 template <class Int, class Triple, VisitOrder order>
 class SizedModel {
   static constexpr bool wide = std::is_same_v<Triple, Wide>;
-  static constexpr bool fast = order == VisitOrder::introduction;
   using Record = Quadruple<typename Triple::Number>;
 
  public:
@@ -79,7 +78,7 @@ class SizedModel {
   /// False if no positions are what was decoded.
   template <class Coder>
   bool code(Coder& coder) {
-    if constexpr (!fast)
+    if constexpr (order == VisitOrder::parallelograms)
       for_each_by_parallelograms(surface_, [&](HalfEdge h, const Visited&) {
         code_at(coder, h.index(), next_in(h.index()), previous_in(h.index()));
       });
@@ -170,12 +169,7 @@ class SizedModel {
     sum += (sizes(rd) + sizes(rdd)) & (0u - static_cast<std::uint32_t>(left));
     sum += (sizes(re) + sizes(ree)) & (0u - static_cast<std::uint32_t>(right));
     const Triple A(ra), B(rb), C(rc), D(rd), E(re);
-    std::array<std::int64_t, 3> normal;
-    if constexpr (fast)
-      normal = steps_.normal(std::array{B - A}, std::array{B - C});
-    else
-      normal = steps_.normal(std::array{B - A, (D - B).when(left), (A - E).when(right)},
-                             std::array{B - C, D - Triple(rdd), A - Triple(ree)});
+    const std::array<std::int64_t, 3> normal = steps_.normal(B - A, B - C);
     const std::int64_t nx = std::abs(normal[0]), ny = std::abs(normal[1]), nz = std::abs(normal[2]);
     const unsigned z = (2u - (ny > nz)) & (0u - !((nx > ny) & (nx > nz)));
     static constexpr std::uint8_t after[] = {1, 2, 0};
@@ -353,7 +347,7 @@ class SizedModel {
   const std::uint32_t count_;
   const AxisSteps<Triple> steps_;
   std::vector<Record> records_;
-  ResidualModel<!fast> residuals_;
+  ResidualModel residuals_;
   std::optional<Copies<Int>> copies_;
   std::optional<Mirror<Int>> mirror_;
   std::uint32_t guessed_ = Mirror<Int>::nobody, symmetry_axis_ = 3;

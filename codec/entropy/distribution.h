@@ -1,5 +1,5 @@
-// An adaptive distribution of sixteen symbols, found and learned by vector instructions; and the
-// mean of two. Knows no coder.
+// An adaptive distribution of sixteen symbols, found and learned by vector instructions. Knows no
+// coder.
 #ifndef CLERS_CODEC_ENTROPY_DISTRIBUTION_H
 #define CLERS_CODEC_ENTROPY_DISTRIBUTION_H
 
@@ -56,20 +56,6 @@ class alignas(64) Distribution {
   }
 
   const Starts& starts() const { return start_; }
-
-  /// Both halves of the two in one: every share is the mean of theirs, and at least `least`.
-  CLERS_ALWAYS_INLINE static void mean(const Distribution& x, const Distribution& y, Starts& out) {
-#if CLERS_SSE2
-    const auto* a = reinterpret_cast<const __m128i*>(x.start_.at);
-    const auto* b = reinterpret_cast<const __m128i*>(y.start_.at);
-    auto* o = reinterpret_cast<__m128i*>(out.at);
-    _mm_store_si128(o, _mm_avg_epu16(_mm_load_si128(a), _mm_load_si128(b)));
-    _mm_store_si128(o + 1, _mm_avg_epu16(_mm_load_si128(a + 1), _mm_load_si128(b + 1)));
-#else
-    for (unsigned s = 0; s < 16; ++s)
-      out.at[s] = static_cast<std::uint16_t>((x.start_.at[s] + y.start_.at[s] + 1) >> 1);
-#endif
-  }
 
   /// The symbol was seen: its share grows, the others shrink, less the more were seen.
   CLERS_ALWAYS_INLINE void update(unsigned symbol) {

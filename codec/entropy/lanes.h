@@ -33,15 +33,6 @@ class LaneEncoder {
     x.update(s);
     return s;
   }
-  /// The same in the mean of two.
-  CLERS_ALWAYS_INLINE unsigned symbol(unsigned lane, Distribution& x, Distribution& y, unsigned s) {
-    Starts starts;
-    Distribution::mean(x, y, starts);
-    put(lane, starts, s);
-    x.update(s);
-    y.update(s);
-    return s;
-  }
 
   /// A decision among the symbols of a lane.
   bool flag(unsigned lane, BitModel& model, bool value) {
@@ -134,16 +125,10 @@ class LaneDecoder {
   }
 
   CLERS_ALWAYS_INLINE unsigned symbol(unsigned lane, Distribution& x, unsigned) {
-    const unsigned s = take(lane, x.starts());
+    const Starts& starts = x.starts();
+    const unsigned s = starts.find(state_[lane] & (shares - 1));
+    advance(lane, starts.at[s], std::uint32_t(starts.at[s + 1]) - starts.at[s]);
     x.update(s);
-    return s;
-  }
-  CLERS_ALWAYS_INLINE unsigned symbol(unsigned lane, Distribution& x, Distribution& y, unsigned) {
-    Starts starts;
-    Distribution::mean(x, y, starts);
-    const unsigned s = take(lane, starts);
-    x.update(s);
-    y.update(s);
     return s;
   }
 
@@ -184,11 +169,6 @@ class LaneDecoder {
   }
 
  private:
-  CLERS_ALWAYS_INLINE unsigned take(unsigned lane, const Starts& starts) {
-    const unsigned s = starts.find(state_[lane] & (shares - 1));
-    advance(lane, starts.at[s], std::uint32_t(starts.at[s + 1]) - starts.at[s]);
-    return s;
-  }
   CLERS_ALWAYS_INLINE void advance(unsigned lane, std::uint32_t start, std::uint32_t size) {
     std::uint32_t x = state_[lane];
     x = size * (x >> share_bits) + (x & (shares - 1)) - start;

@@ -41,30 +41,22 @@ struct Plain {
 TEST(Distribution, MovesTowardsWhatItSees) {
   corpus::Random random(1);
   for (unsigned kind = 0; kind < 4; ++kind) {
-    Distribution x = even(), y = even();
-    Plain plain, other;
+    Distribution x = even();
+    Plain plain;
     for (unsigned i = 0; i < 3000; ++i) {
       const unsigned s = kind == 0   ? random.below(16)
                          : kind == 1 ? 15
                          : kind == 2 ? 0
                                      : random.below(1 + random.below(16));
-      Starts mean;
-      Distribution::mean(x, y, mean);
-      for (std::size_t k = 0; k <= 16; ++k) {
-        ASSERT_EQ(x.starts().at[k], plain.start[k]);
-        ASSERT_EQ(mean.at[k], (plain.start[k] + other.start[k] + 1) / 2);
-      }
-      for (std::size_t k = 0; k < 16; ++k) ASSERT_GE(mean.at[k + 1] - mean.at[k], 4);
+      const Starts& starts = x.starts();
+      for (std::size_t k = 0; k <= 16; ++k) ASSERT_EQ(starts.at[k], plain.start[k]);
+      for (std::size_t k = 0; k < 16; ++k) ASSERT_GE(starts.at[k + 1] - starts.at[k], 4);
       for (const std::uint32_t place : {std::uint32_t(0), shares - 1, random.below(shares)}) {
-        const unsigned found = mean.find(place);
-        ASSERT_TRUE(mean.at[found] <= place && place < mean.at[found + 1]);
+        const unsigned found = starts.find(place);
+        ASSERT_TRUE(starts.at[found] <= place && place < starts.at[found + 1]);
       }
       x.update(s);
       plain.update(static_cast<int>(s));
-      if (i % 3 == 0) {
-        y.update(15 - s);
-        other.update(15 - static_cast<int>(s));
-      }
     }
   }
 }
@@ -73,18 +65,15 @@ TEST(Distribution, MovesTowardsWhatItSees) {
 template <class Coder>
 std::vector<std::uint64_t> code(Coder& coder, std::vector<std::uint64_t> values) {
   corpus::Random random(2);
-  std::vector<Distribution> models(4, even());
+  Distribution model = even();
   BitModel flags;
   for (std::uint64_t& value : values) {
-    const unsigned lane = random.below(lane_count), way = random.below(5), n = random.below(59);
+    const unsigned lane = random.below(lane_count), way = random.below(4), n = random.below(59);
     const auto low = [&](unsigned bits) { return value & ((std::uint64_t(1) << bits) - 1); };
     switch (way) {
-      case 0: value = coder.symbol(lane, models[0], static_cast<unsigned>(low(4))); break;
-      case 1:
-        value = coder.symbol(lane, models[1], models[2], static_cast<unsigned>(low(3)));
-        break;
-      case 2: value = coder.flag(lane, flags, low(1)); break;
-      case 3: value = coder.even(lane, n, low(n)); break;
+      case 0: value = coder.symbol(lane, model, static_cast<unsigned>(low(4))); break;
+      case 1: value = coder.flag(lane, flags, low(1)); break;
+      case 2: value = coder.even(lane, n, low(n)); break;
       default:
         if constexpr (Coder::encodes)
           coder.bits(n, value = low(n));
