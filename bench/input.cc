@@ -45,6 +45,22 @@ void append_triangles(const Mesh& mesh, std::uint32_t first_vertex, Input& input
   }
 }
 
+// Leaves out the vertices that no triangle uses, as some rivals do: sizes are then of one mesh.
+void leave_isolated_out(Input& input) {
+  constexpr std::uint32_t unused = 0xffffffffu;
+  std::vector<std::uint32_t> number(input.vertex_count, unused);
+  for (const std::uint32_t v : input.triangles) number[v] = 0;
+  std::uint32_t used = 0;
+  for (std::uint32_t v = 0; v < input.vertex_count; ++v) {
+    if (number[v] == unused) continue;
+    std::copy_n(&input.positions[3 * std::size_t(v)], 3, &input.positions[3 * std::size_t(used)]);
+    number[v] = used++;
+  }
+  for (std::uint32_t& v : input.triangles) v = number[v];
+  input.positions.resize(3 * std::size_t(used));
+  input.vertex_count = used;
+}
+
 template <class T>
 void append_values(const Attribute& attribute, std::uint32_t count, std::vector<float>& out) {
   for (std::size_t v = 0; v < count; ++v) {
@@ -164,6 +180,7 @@ Input read_input(const fs::path& file) {
     raw.vertex_count += mesh.vertex_count;
   }
   if (raw.triangles.empty()) throw std::runtime_error("has no faces");
+  leave_isolated_out(raw);
   Input input =
       make_input(stem(file), raw.vertex_count, std::move(raw.triangles), std::move(raw.positions));
   input.fanned = raw.fanned;

@@ -21,7 +21,8 @@ struct InputFile {
 };
 
 /// A mesh as the codecs get it: triangles with float positions and nothing else. Polygons are
-/// fanned from their first corner, the meshes of a file are put together.
+/// fanned from their first corner, the meshes of a file are put together, vertices that no triangle
+/// uses are left out.
 struct Input {
   std::string name;    ///< file name without extension
   std::string family;  ///< class of the mesh: the first word of the name, less "many-"

@@ -102,9 +102,7 @@ class AttributeEncoder {
     integers_to_ranks(Lattice<Int>{rows, axes});
     const std::vector<Axis> ranked = with_ranks(axes);
     const Lattice<const Int> ranks{rows, ranked};
-    // Static shares need no time to learn, so few values may take less.
-    if (level_ < 5 || rows.size() < few)
-      take(Coder::ordered, encode_ordered(ranks, surface_of(attribute_, surface_), level_));
+    take(Coder::ordered, encode_ordered(ranks, surface_of(attribute_, surface_), level_));
     if (level_ < 5) return Done{};
     auto packed = pack_integers(ranks, predictors_, surface_, zstd_level(level_));
     if (!packed) return Failure{packed.error()};
@@ -120,8 +118,6 @@ class AttributeEncoder {
     consider(Coder::words, packed->predictor, {}, packed->frame, words_text);
     return Done{};
   }
-
-  static constexpr std::size_t few = 1 << 14;
 
   const Attribute& attribute_;
   const CodedSurface& surface_;

@@ -54,16 +54,17 @@ class AxisSteps<Narrow> {
   }
 
   /// The sum of e x f.
-  CLERS_ALWAYS_INLINE std::array<std::int64_t, 3> normal(const std::array<Narrow, 3>& e,
-                                                         const std::array<Narrow, 3>& f) const {
+  template <std::size_t count>
+  CLERS_ALWAYS_INLINE std::array<std::int64_t, 3> normal(const std::array<Narrow, count>& e,
+                                                         const std::array<Narrow, count>& f) const {
     std::array<std::int64_t, 3> n{};
     if (short_) {
-      const auto sum =
-          (cross_of_short(e[0], f[0]) + cross_of_short(e[1], f[1]) + cross_of_short(e[2], f[2]))
-              .stored();
-      for (unsigned i = 0; i < 3; ++i) n[i] = sum.at[i];
+      Narrow sum = cross_of_short(e[0], f[0]);
+      for (std::size_t k = 1; k < count; ++k) sum = sum + cross_of_short(e[k], f[k]);
+      const auto stored = sum.stored();
+      for (unsigned i = 0; i < 3; ++i) n[i] = stored.at[i];
     } else {
-      for (unsigned k = 0; k < 3; ++k) add_cross(e[k].stored().at, f[k].stored().at, n);
+      for (std::size_t k = 0; k < count; ++k) add_cross(e[k].stored().at, f[k].stored().at, n);
     }
     return n;
   }
@@ -71,6 +72,10 @@ class AxisSteps<Narrow> {
   /// What is between 0 and top, of what is predicted.
   Narrow inside(Narrow t) const { return t; }
   std::int64_t inside(unsigned, std::int64_t quarters) const { return quarters; }
+
+  std::int64_t within(unsigned i, std::int64_t x) const {
+    return std::clamp<std::int64_t>(x, 0, static_cast<std::int64_t>(top_[i]));
+  }
 
   /// The mean of n, of which all but one add up to `off`, in quarters.
   CLERS_ALWAYS_INLINE std::int64_t quarters(std::int32_t off, unsigned n) const {
@@ -141,10 +146,11 @@ class AxisSteps<Wide> {
     }
   }
 
-  std::array<std::int64_t, 3> normal(const std::array<Wide, 3>& e,
-                                     const std::array<Wide, 3>& f) const {
+  template <std::size_t count>
+  std::array<std::int64_t, 3> normal(const std::array<Wide, count>& e,
+                                     const std::array<Wide, count>& f) const {
     std::array<std::int64_t, 3> n{};
-    for (unsigned k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < count; ++k) {
       auto x = e[k].stored(), y = f[k].stored();
       for (unsigned i = 0; i < 3; ++i) {
         x.at[i] = (x.at[i] >> steps_[i].shift) * steps_[i].factor;
@@ -162,6 +168,10 @@ class AxisSteps<Wide> {
   }
   std::int64_t inside(unsigned i, std::int64_t quarters) const {
     return std::clamp<std::int64_t>(quarters, 0, 4 * steps_[i].top);
+  }
+
+  std::int64_t within(unsigned i, std::int64_t x) const {
+    return std::clamp<std::int64_t>(x, 0, steps_[i].top);
   }
 
   std::int64_t quarters(std::int64_t off, unsigned n) const {

@@ -25,11 +25,17 @@ Originals find_originals(const CodedSurface& surface) {
   place.assign(vertices, none);
   std::vector<std::uint32_t> order;
   order.reserve(vertices);
-  std::vector<Component> components;
   const auto triangles = static_cast<std::uint32_t>(surface.corners.size() / 3);
-  for (std::uint32_t t = 0; t < triangles; ++t) {
+  const auto begins = [&](std::uint32_t t) {
     const HalfEdge across = surface.twins[3 * std::size_t(t)];
-    if (!across || left(across).index() > t)
+    return !across || left(across).index() >= t;
+  };
+  std::size_t count = 0;
+  for (std::uint32_t t = 0; t < triangles; ++t) count += begins(t);
+  std::vector<Component> components;
+  components.reserve(count);
+  for (std::uint32_t t = 0; t < triangles; ++t) {
+    if (begins(t))
       components.push_back({0, static_cast<std::uint32_t>(components.size()),
                             static_cast<std::uint32_t>(order.size()), 0});
     Component& component = components.back();

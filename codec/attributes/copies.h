@@ -39,9 +39,9 @@ struct Originals {
 /// std::bad_alloc only.
 Originals find_originals(const CodedSurface& surface);
 
-/// What find_originals allocates, what it returns included.
+/// What find_originals allocates at most, what it returns included.
 inline std::uint64_t originals_memory(std::uint64_t vertices, std::uint64_t triangles) {
-  return 12 * vertices + 3 * 24 * std::min(triangles, vertices);
+  return 12 * vertices + 24 * triangles;
 }
 
 /// Whether vertices that have an original are nearer to where they are guessed than to where
@@ -146,8 +146,9 @@ class Copies {
 
   const Int* row(std::uint32_t v) const { return rows_ + 3 * std::size_t(v); }
 
-  /// The original of a vertex that is in a triangle, if it is known.
+  /// The original of a vertex, if it is known. Where nothing has twins there are none at all.
   std::uint32_t original(std::uint32_t v) const {
+    if (v >= known_.size()) return none;
     const std::uint32_t w = originals_->of[v];
     return w != none && known_[w] ? w : none;
   }

@@ -10,38 +10,30 @@
 
 namespace clers::internal {
 
-/// Density .85 f(1.9 z) 1.9 + .15 f(.7 z) .7, where f is the logistic density. z is in 1/128.
+/// Density .85 f(1.9 z) 1.9 + .15 f(.7 z) .7, where f is the logistic density. z is in 1/128,
+/// within -most .. most.
 class Distribution {
  public:
-  static constexpr int unit = 128;        ///< of z
-  static constexpr int most = 24 * unit;  ///< z is clamped to this
+  static constexpr int unit = 128;  ///< of z
+  static constexpr int most = 24 * unit;
   static constexpr int max_logit = 2815;  ///< as in entropy/logistic.h
 
   /// The tables, made once.
   static const Distribution& tables();
 
-  /// The logit, in 1/256, of: at least z.
-  int at_least(int z) const {
-    return std::clamp((survival(z) - survival(-z)) >> 4, -max_logit, max_logit);
-  }
-  /// The logit of: at least z, given at least `from`, from <= z.
-  int further(int from, int z) const {
-    const unsigned r = static_cast<unsigned>(survival(from) - survival(z));
-    if (r < fine) return odds_[r];
-    return odds_[std::min(fine + ((r - fine + 16) >> 5), odds_size - 1)];
+  /// ln of the probability of at least z, in 1/4096.
+  int survival(int z) const { return survival_[static_cast<std::size_t>(z + most)]; }
+  /// The logit, in 1/256, of a probability e^-r, r >= 0 in 1/4096: with r = survival(from) -
+  /// survival(to), that of at least `to` given at least `from`.
+  int odds(int r) const {
+    const unsigned i = static_cast<unsigned>(r);
+    return odds_[i < fine ? i : std::min(fine + ((i - fine + 16) >> 5), odds_size - 1)];
   }
   /// ln of the density at z, in 1/256, plus any constant.
-  int log_density(int z) const {
-    return density_[static_cast<std::size_t>(std::min(z < 0 ? -z : z, most))];
-  }
+  int log_density(int z) const { return density_[static_cast<std::size_t>(z < 0 ? -z : z)]; }
 
  private:
   Distribution();
-  /// ln of the probability of: at least z, in 1/4096.
-  int survival(int z) const {
-    return survival_[static_cast<std::size_t>(std::clamp(z, -most, most) + most)];
-  }
-
   static constexpr unsigned fine = 2048, odds_size = fine + 1536;
   std::array<std::int32_t, 2 * most + 1> survival_;
   std::array<std::int16_t, most + 1> density_;

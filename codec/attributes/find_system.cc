@@ -223,30 +223,39 @@ class Finder {
     propose(*s);
   }
 
-  /// Steps of 1 / D that begin at a simple part of a step: N of D parts * D.
+  /// Steps of 1 / D, or of few decimals, that begin at a simple part of a step.
   std::optional<NumberSystem> quotients_of(const ApproximateSteps& steps) const {
-    const double divisor = std::floor(1 / steps.length + .5);
-    if (divisor < 1 || divisor > 1e9) return std::nullopt;
-    const double farthest =
-        std::max(std::fabs(looks_.sorted.front()), std::fabs(looks_.sorted.back()));
+    if (auto s = quotients_of(steps, std::floor(1 / steps.length + .5), 1)) return s;
+    for (unsigned d = 0; d < 10; ++d)
+      if (auto s = quotients_of(steps, tens[d], std::floor(steps.length * tens[d] + .5))) return s;
+    return std::nullopt;
+  }
+  std::optional<NumberSystem> quotients_of(const ApproximateSteps& steps, double divisor,
+                                           double step) const {
+    const auto& numbers = looks_.sorted;
+    if (divisor < 1 || divisor > 1e9 || step < 1 || step > 1e6) return std::nullopt;
+    const double farthest = std::max(std::fabs(numbers.front()), std::fabs(numbers.back()));
     if (!(farthest * divisor * 16 < double(most_exact))) return std::nullopt;
-    if (std::fabs(steps.length - 1 / divisor) > 2 * steps.error + 1e-15) return std::nullopt;
+    if (std::fabs(steps.length - step / divisor) > 2 * steps.error + 1e-15) return std::nullopt;
     // Where in a step numbers are, from where one of them is
-    const auto part = [&](double v) { return v * divisor - std::floor(v * divisor); };
-    const double about = part(looks_.sorted[looks_.sorted.size() / 2]);
+    const auto part = [&](double v) {
+      const double in_steps = v * divisor / step;
+      return in_steps - std::floor(in_steps);
+    };
+    const double about = part(numbers[numbers.size() / 2]);
     double sum = 0;
-    for (const double v : looks_.sorted) {
+    for (const double v : numbers) {
       const double d = part(v) - about;
       sum += d - std::floor(d + .5);
     }
-    const double begin = about + sum / double(looks_.sorted.size());
+    const double begin = step * (about + sum / double(numbers.size()));
     NumberSystem s;
     s.map = NumberMap::quotient;
     for (unsigned parts = 1; parts <= 16; ++parts) {
       const double first = std::floor(begin * parts + .5);
       if (std::fabs(begin - first / parts) > steps.noise * divisor / 4 + 1e-9) continue;
       s.divisor = static_cast<std::uint64_t>(divisor) * parts;
-      s.step = parts;
+      s.step = static_cast<std::uint64_t>(step) * parts;
       s.first = static_cast<std::int64_t>(first);
       return s;
     }

@@ -63,6 +63,11 @@ constexpr std::uint64_t exp2(int log) {
   return n >= 0 ? mantissa << n : n > -32 ? mantissa >> -n : 0;
 }
 
+/// 2^n / x, about: relative error below 1/128. 2^(n - 47) <= x, n <= 47.
+constexpr std::uint64_t inverse(int n, std::uint64_t x) {
+  return exp2(n * octave - log2(x)) >> 16;
+}
+
 /// 2^30 / sqrt(x), about; 2^28 <= x < 2^32.
 constexpr std::int64_t inverse_root(std::uint64_t x) {
   // By its logarithm, then once Newton's y += y (1 - x y^2) / 2.

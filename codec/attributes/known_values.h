@@ -7,9 +7,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "codec/connectivity/coded_surface.h"
+#include "codec/mesh.h"
 #include "topology/ids.h"
 
 namespace clers::internal {
@@ -36,7 +38,7 @@ struct Nearby {
 /// of introduction, then of those in no triangle. Where there is no surface that is the order of
 /// their numbers, and of others only the one before is known. Without twins only the triangle that
 /// introduces a vertex is looked at. It ends with the first visit that returns false, and says so.
-/// Cost: linear; memory: known_values_memory.
+/// Cost: linear.
 template <class Visit>
 bool for_each_with_nearby(const CodedSurface& surface, std::size_t values, std::size_t most,
                           Visit visit) {
@@ -92,9 +94,63 @@ bool for_each_with_nearby(const CodedSurface& surface, std::size_t values, std::
   return true;
 }
 
-/// What for_each_with_nearby allocates.
-inline std::uint64_t known_values_memory(std::uint64_t values) {
-  return values / 8 + 8;
+/// The same for values of corners, in their order. surface.corners are the vertices that they are
+/// at; where twins are there too, they are those of triangles, and values are as many as corners.
+/// Nearby are values at the same vertex: across the side from the corner to the next, across the
+/// one that ends there, the last two; if there is none, those of the triangle so far. The gate's
+/// parallelogram ends at the last corner of a triangle, across a seam or not. Cost: linear.
+template <class Visit>
+bool for_each_corner_with_nearby(const CodedSurface& surface, std::size_t most, Visit visit) {
+  const std::span<const std::uint32_t> corners = surface.corners;
+  std::uint32_t vertices = 0;
+  for (const std::uint32_t v : corners) vertices = std::max(vertices, v + 1);
+  std::vector<std::array<std::uint32_t, 2>> last(vertices, {Nearby::none, Nearby::none});
+  Nearby nearby;
+  const std::size_t end = std::min(most, corners.size());
+  for (std::size_t h = 0; h < end; ++h) {
+    const auto i = static_cast<std::uint32_t>(h);
+    auto& at_vertex = last[corners[h]];
+    nearby.count = 0;
+    nearby.a = nearby.b = nearby.c = Nearby::none;
+    if (!surface.twins.empty()) {
+      const HalfEdge after = surface.twins[h], before = surface.twins[lprev(HalfEdge(i)).index()];
+      if (after && lnext(after).index() < i) nearby.add(lnext(after).index());
+      if (before && before.index() < i) nearby.add(before.index());
+    }
+    for (const std::uint32_t u : at_vertex)
+      if (u != Nearby::none) nearby.add(u);
+    if (!surface.twins.empty()) {
+      for (std::uint32_t u = i - i % 3; nearby.count < 2 && at_vertex[0] == Nearby::none && u < i;
+           ++u)
+        nearby.add(u);
+      const HalfEdge across = surface.twins[h - h % 3];
+      if (h % 3 == 2 && across && lprev(across).index() < i) {
+        nearby.a = i - 2;
+        nearby.b = i - 1;
+        nearby.c = lprev(across).index();
+      }
+    }
+    nearby.before = h > 0 ? i - 1 : Nearby::none;
+    at_vertex = {i, at_vertex[0]};
+    if (!visit(i, static_cast<const Nearby&>(nearby))) return false;
+  }
+  return true;
+}
+
+/// What lies where: values of vertices along their surface, of corners at its vertices if they are
+/// as many as its corners are, and others by number.
+template <class Visit>
+bool for_each_nearby(Domain domain, const CodedSurface& surface, std::size_t values,
+                     std::size_t most, Visit visit) {
+  if (domain == Domain::corner && surface.corners.size() == values)
+    return for_each_corner_with_nearby(surface, most, visit);
+  return for_each_with_nearby(domain == Domain::vertex ? surface : CodedSurface(), values, most,
+                              visit);
+}
+
+/// What for_each_nearby allocates. Precondition: vertices of corners are below so many.
+inline std::uint64_t known_values_memory(std::uint64_t values, std::uint64_t vertices) {
+  return values / 8 + 8 * vertices + 8;
 }
 
 }  // namespace clers::internal

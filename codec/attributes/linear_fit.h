@@ -82,23 +82,25 @@ class LinearFit {
     const std::int64_t determinant =
         s[0][0] * adjugate[0][0] + s[0][1] * adjugate[0][1] + s[0][2] * adjugate[0][2];
     if (determinant <= 0) return;
+    // One division for all: the determinant is made one of 31 bits, and all that is divided by it
+    // is shifted likewise, where it is less than 16 times as large.
+    const int up = std::countl_zero(static_cast<std::uint64_t>(determinant)) - 33;
+    const auto scaled = [&](std::int64_t n) {
+      return up >= 0 ? n * (std::int64_t(1) << up) : n >> -up;
+    };
+    const std::int64_t inverse = (std::int64_t(1) << 62) / scaled(determinant);  // 2^31 .. 2^32
+    constexpr std::int64_t bound = std::int64_t(1) << most_bits;
     for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j)
-        map_[i][j] =
-            quotient(p[i][0] * adjugate[0][j] + p[i][1] * adjugate[1][j] + p[i][2] * adjugate[2][j],
-                     determinant);
-  }
-
-  /// n / d with bits after the point, as many of them exact as there is room for.
-  static std::int64_t quotient(std::int64_t n, std::int64_t d) {
-    const bool negative = n < 0;
-    std::uint64_t u = static_cast<std::uint64_t>(negative ? -n : n);
-    const int up = std::min(fraction, std::countl_zero(u));
-    u <<= up;
-    const std::uint64_t below = static_cast<std::uint64_t>(d) >> (fraction - up);
-    constexpr std::uint64_t most = std::uint64_t(1) << most_bits;
-    const auto q = static_cast<std::int64_t>(below == 0 ? most : std::min(most, u / below));
-    return negative ? -q : q;
+      for (std::size_t j = 0; j < 3; ++j) {
+        const std::int64_t n =
+            p[i][0] * adjugate[0][j] + p[i][1] * adjugate[1][j] + p[i][2] * adjugate[2][j];
+        if (n >> (most_bits - fraction) >= determinant)
+          map_[i][j] = bound;
+        else if (-n >> (most_bits - fraction) >= determinant)
+          map_[i][j] = -bound;
+        else
+          map_[i][j] = (scaled(n) >> 6) * inverse >> (62 - 6 - fraction);
+      }
   }
 
   std::array<Vector, 3> squares_, products_, map_;  // sums of from * from, and of to * from

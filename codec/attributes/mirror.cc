@@ -5,41 +5,56 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
+#include <span>
 #include <vector>
 
 namespace clers::internal {
 namespace {
 
-// Vertices that vote on an axis at most. Whether one does depends on two of its coordinates, so
-// that a vertex and its image do or do not together.
-constexpr std::size_t most_voters = std::size_t(1) << 16;
+// All is tried on about so many vertices, chosen by coordinates that a symmetry keeps, so that a
+// vertex and its images are chosen together or not at all; and on no more than a few times as many.
+constexpr std::size_t sample = 4096;
 // Where so many agree in two coordinates, as on the walls of a box, their sums say little.
 constexpr std::size_t crowd = 40;
-// Sums that are tried on an axis, and the share of voters without whose votes one is not.
+// Sums that are tried on an axis, and the part of all votes without which one is not.
 constexpr std::size_t candidates = 4, least_votes = 50;
+
+std::uint64_t mixed(std::uint64_t x) {
+  x = (x ^ x >> 32) * 0xc2b2ae3d27d4eb4fu;
+  return x ^ x >> 29;
+}
+
+/// Rows whose key, of what a symmetry keeps, is chosen; all if they are few.
+template <class Int, class Key>
+std::vector<Int> chosen(const Lattice<Int>& lattice, Key key) {
+  const std::uint64_t parts = lattice.count() / sample + 1;
+  std::vector<Int> rows;
+  rows.reserve(3 * std::min(lattice.count(), 2 * sample));
+  for (std::size_t v = 0; v < lattice.count() && rows.size() < 12 * sample; ++v) {
+    const Int* const row = &lattice.rows[3 * v];
+    if (mixed(key(row)) % parts == 0) rows.insert(rows.end(), row, row + 3);
+  }
+  return rows;
+}
+
+/// The line along an axis that a place is on, as a hash.
+template <class Int>
+std::uint64_t line_of(const Int* row, std::size_t axis) {
+  const std::uint64_t y = static_cast<std::uint64_t>(row[(axis + 1) % 3]) * 0x9e3779b97f4a7c15u;
+  return (y ^ y >> 29) + static_cast<std::uint64_t>(row[(axis + 2) % 3]);
+}
 
 struct Voter {
   std::uint64_t line, x;
 };
 
-/// The vertices by the line along the axis that they are on: each line a hash.
+/// Rows, by the line along the axis that they are on.
 template <class Int>
-std::vector<Voter> voters(const Lattice<Int>& lattice, std::size_t axis) {
-  const std::size_t count = lattice.count();
-  const std::uint64_t parts = count / most_voters + 1;
+std::vector<Voter> voters(std::span<const Int> rows, std::size_t axis) {
   std::vector<Voter> found;
-  found.reserve(std::min(count, 2 * most_voters));
-  for (std::size_t v = 0; v < count; ++v) {
-    const Int* const row = &lattice.rows[3 * v];
-    std::uint64_t line = static_cast<std::uint64_t>(row[(axis + 1) % 3]) * 0x9e3779b97f4a7c15u;
-    line = (line ^ line >> 29) + static_cast<std::uint64_t>(row[(axis + 2) % 3]);
-    line = (line ^ line >> 32) * 0xc2b2ae3d27d4eb4fu;
-    line ^= line >> 29;
-    if (line % parts != 0) continue;
-    found.push_back({line, static_cast<std::uint64_t>(row[axis])});
-    if (found.size() == 2 * most_voters) break;
-  }
+  found.reserve(rows.size() / 3);
+  for (std::size_t i = 0; i < rows.size(); i += 3)
+    found.push_back({line_of(&rows[i], axis), static_cast<std::uint64_t>(rows[i + axis])});
   std::sort(found.begin(), found.end(),
             [](const Voter& a, const Voter& b) { return a.line < b.line; });
   return found;
@@ -83,8 +98,8 @@ std::vector<std::uint64_t> elected(const std::vector<Voter>& voters) {
   return result;
 }
 
-/// A measure of how much can be predicted, 0 if it is too little: vertices that are images, and
-/// among what has as many those that are so exactly.
+/// A measure of how much can be predicted, 0 if it is too little: the share of vertices that are
+/// images, and a little of those that are so exactly.
 template <class Int>
 std::uint64_t worth(const Symmetry& symmetry, std::span<const Int> rows) {
   const std::size_t count = rows.size() / 3;
@@ -99,54 +114,34 @@ std::uint64_t worth(const Symmetry& symmetry, std::span<const Int> rows) {
       same = mirror.partner_image(v, c) == rows[3 * std::size_t(v) + c];
     exactly += same;
   }
-  return 8 * std::uint64_t(mirror.images()) + exactly;
-}
-
-/// The rows that have some of the coordinates there are on an axis, all if they are not many.
-template <class Int>
-std::vector<Int> some_layers(const Lattice<Int>& lattice, std::size_t axis) {
-  constexpr std::size_t many = 8192;
-  const std::uint64_t parts = lattice.count() / many + 1;
-  std::vector<Int> rows;
-  for (std::size_t v = 0; v < lattice.count() && rows.size() < 12 * many; ++v) {
-    const auto row = lattice.rows.subspan(3 * v, 3);
-    const std::uint64_t x = static_cast<std::uint64_t>(row[axis]) * 0x9e3779b97f4a7c15u;
-    if ((x ^ x >> 32) % parts == 0) rows.insert(rows.end(), row.begin(), row.end());
-  }
-  return rows;
+  return ((8 * std::uint64_t(mirror.images()) + exactly) << 16) / count;
 }
 
 }  // namespace
 
 template <class Int>
 std::optional<Symmetry> find_mirror(const Lattice<Int>& lattice) {
-  std::optional<Symmetry> best;
-  std::uint64_t most = 0;
-  const auto try_one = [&](const Symmetry& symmetry) {
-    const std::uint64_t found = worth<Int>(symmetry, lattice.rows);
-    if (found > most) {
-      most = found;
-      best = symmetry;
-    }
+  if (lattice.count() == 0) return std::nullopt;
+  struct Best {
+    std::optional<Symmetry> symmetry;
+    std::uint64_t worth = 0;
+  };
+  const auto try_one = [&](Best& best, const Symmetry& symmetry, std::span<const Int> rows) {
+    const std::uint64_t found = symmetry.fits(lattice.axes) ? worth<Int>(symmetry, rows) : 0;
+    if (found > best.worth) best = {symmetry, found};
     return found;
   };
   // Mirrors.
-  std::array<std::optional<Symmetry>, 3> mirrors;
+  std::array<Best, 3> mirrors;
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
-    std::uint64_t most_here = 0;
-    for (const std::uint64_t sum : elected(voters(lattice, axis))) {
-      const std::uint64_t found = try_one({axis, sum});
-      if (found <= most_here) continue;
-      most_here = found;
-      mirrors[axis] = {axis, sum};
-    }
+    const std::vector<Int> rows =
+        chosen(lattice, [&](const Int* row) { return line_of(row, axis); });
+    for (const std::uint64_t sum : elected(voters<Int>(rows, axis)))
+      try_one(mirrors[axis], {axis, sum}, rows);
   }
-  for (std::uint32_t axis = 0; axis < 3; ++axis)
-    if (const auto& one = mirrors[axis], &other = mirrors[(axis + 1) % 3]; one && other)
-      try_one({axis, one->sum, Symmetry::mirrors, other->sum});
-  // Turns about the middle of all.
+  // Two of them, and turns about the middle of all.
   std::array<std::uint64_t, 3> sums = {};
-  for (std::size_t c = 0; c < 3 && lattice.count() > 0; ++c) {
+  for (std::size_t c = 0; c < 3; ++c) {
     Int least = lattice.rows[c], greatest = least;
     for (std::size_t i = c; i < lattice.rows.size(); i += 3) {
       least = std::min(least, lattice.rows[i]);
@@ -154,25 +149,32 @@ std::optional<Symmetry> find_mirror(const Lattice<Int>& lattice) {
     }
     sums[c] = static_cast<std::uint64_t>(least + greatest);
   }
+  Best others;
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
-    const std::vector<Int> some = some_layers(lattice, (axis + 2) % 3);
-    Symmetry turn = {axis, sums[axis], Symmetry::half_turn, sums[(axis + 1) % 3]};
-    for (const Symmetry::Kind kind : {Symmetry::half_turn, Symmetry::quarter_turn}) {
-      turn.kind = kind;
-      turn.sum = sums[axis];
-      if (kind == Symmetry::quarter_turn && (turn.sum + turn.sum2) % 2 != 0) --turn.sum;
-      if (!turn.fits(lattice.axes) || worth<Int>(turn, some) == 0) continue;
-      try_one(turn);
-      // What rounding may have moved.
-      for (const bool up : {false, true}) {
-        Symmetry beside = turn;
-        beside.sum += up ? 1 : ~std::uint64_t(0);
-        beside.sum2 += up ? 1 : ~std::uint64_t(0);
-        if (beside.fits(lattice.axes)) try_one(beside);
-      }
-    }
+    const std::uint32_t axis2 = (axis + 1) % 3, kept = (axis + 2) % 3;
+    const std::vector<Int> rows =
+        chosen(lattice, [&](const Int* row) { return static_cast<std::uint64_t>(row[kept]); });
+    if (rows.empty()) continue;
+    if (mirrors[axis].symmetry && mirrors[axis2].symmetry)
+      try_one(others,
+              {axis, mirrors[axis].symmetry->sum, Symmetry::mirrors, mirrors[axis2].symmetry->sum},
+              rows);
+    try_one(others, {axis, sums[axis], Symmetry::half_turn, sums[axis2]}, rows);
+    Symmetry turn = {axis, sums[axis], Symmetry::quarter_turn, sums[axis2]};
+    if ((turn.sum + turn.sum2) % 2 != 0) --turn.sum;
+    if (try_one(others, turn, rows) == 0) continue;
+    // What rounding may have moved.
+    for (const std::uint64_t by : {std::uint64_t(1), ~std::uint64_t(0)})
+      try_one(others, {axis, turn.sum + by, Symmetry::quarter_turn, turn.sum2 + by}, rows);
   }
-  return best;
+  // What is chosen by layers may be all flat, so the best are asked of all.
+  Best best;
+  for (const Best& finalist :
+       {*std::max_element(mirrors.begin(), mirrors.end(),
+                          [](const Best&a, const Best&b) { return a.worth < b.worth; }),
+        others})
+    if (finalist.symmetry) try_one(best, *finalist.symmetry, lattice.rows);
+  return best.symmetry;
 }
 
 template std::optional<Symmetry> find_mirror(const Lattice<std::int32_t>&);

@@ -83,7 +83,7 @@ Expected<Done> decode_mixed(std::span<const std::byte> bytes, std::uint64_t at,
 }
 
 std::uint64_t mixed_memory(std::uint64_t values, std::uint64_t triangles) {
-  return values * sizeof(Past) + Stars::memory(values) + visit_order_memory(values) +
+  return Past::memory(values) + Stars::memory(values) + visit_order_memory(values) +
          Mirror<std::int64_t>::memory(values) + originals_memory(values, triangles) +
          Copies<std::int64_t>::memory(values) + Mixing::memory() + Shapes::memory();
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "codec/attributes/fixed_point.h"
@@ -13,12 +14,11 @@
 namespace clers::internal::mixed {
 
 /// Axes in the order of coding: that nearest the normal last.
-using AxisOrder = std::array<unsigned, 3>;
+using AxisOrder = std::array<std::size_t, 3>;
 
-inline AxisOrder axis_order(Vector n) {
-  const auto size = [](std::int64_t k) { return k < 0 ? -k : k; };
-  if (size(n.x) > size(n.y) && size(n.x) > size(n.z)) return {1, 2, 0};
-  if (size(n.y) > size(n.z)) return {0, 2, 1};
+inline AxisOrder axis_order(const Vector& n) {
+  if (size_of(n[0]) > size_of(n[1]) && size_of(n[0]) > size_of(n[2])) return {1, 2, 0};
+  if (size_of(n[1]) > size_of(n[2])) return {0, 2, 1};
   return {0, 1, 2};
 }
 
@@ -31,7 +31,7 @@ inline AxisOrder axis_order(Vector n) {
 class Covariance {
  public:
   /// The normal in units of 2^-14 or zero; logarithms of n2/t2 in 1/128 octaves.
-  void set(Vector normal, const AxisOrder& order, int along, int across) {
+  void set(const Vector& normal, const AxisOrder& order, int along, int across) {
     x_ = normal[order[0]], y_ = normal[order[1]];
     const std::int64_t z = normal[order[2]];
     const int ratio = std::clamp(2 * (along - across), -2048, 2048);
@@ -44,6 +44,8 @@ class Covariance {
         std::max(one + (p * (y_ * y_ >> 12) >> 16) - (mixed * second_ >> 16), least);
     const std::int64_t third = std::max(one + (q * (z * z >> 12) >> 16), least);
     third_ = (q * z >> 14) * one / third;
+    for (std::size_t i = 0; i < 3; ++i)
+      whole[i] = half_log(std::max(one + (p * (normal[i] * normal[i] >> 12) >> 16), least));
     scale[0] = half_log(first);
     scale[1] = half_log(second);
     scale[2] = -half_log(third);
@@ -55,7 +57,9 @@ class Covariance {
     return -(third_ * ((x_ * rx + y_ * ry) >> 14) >> 16);
   }
 
-  int scale[3];  ///< of each component, to be added to that across
+  /// log2 of each component's scale over that across, in 1/256: in the order of coding, given those
+  /// before; and of each axis, given nothing.
+  std::array<int, 3> scale, whole;
 
  private:
   static constexpr std::int64_t one = 1 << 16, least = 1 << 6;

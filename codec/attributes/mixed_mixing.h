@@ -16,7 +16,18 @@
 
 namespace clers::internal::mixed {
 
-inline constexpr unsigned experts = 8;
+/// Who says where the next vertex is.
+enum Expert : unsigned {
+  plain_mean,      ///< of parallelograms
+  corrected_mean,  ///< the same, with what was learned
+  line_mean,       ///< of lines through neighbours
+  axis_mean,       ///< the plain mean, whose scale is known along axes
+  gate_end,        ///< the first parallelogram
+  shape_or_copy,   ///< by an earlier component, or by shapes of the same degrees
+  ring_mean,       ///< of neighbours
+  mirror_image,
+  experts
+};
 
 /// Where in a value a decision is.
 struct Context {
@@ -39,7 +50,8 @@ class Mixing {
         curves_(std::size_t(curves) * points) {
     for (std::size_t i = 0; i < curves_.size(); ++i)
       curves_[i] = static_cast<std::uint16_t>(logistic.squash((int(i % points) - 16) * 128));
-    for (unsigned n = 0; n < most_seen; ++n) rates_[n] = final_rate + first_rate / (50 + n) * 50;
+    for (unsigned n = 0; n < most_rates; ++n)
+      rates_[n] = final_rate + first_rate / (50 + 4 * n) * 50;
   }
   static constexpr std::uint64_t memory() {
     return (rows[0] + rows[1]) * sizeof(Row) + curves * points * sizeof(std::uint16_t);
@@ -76,8 +88,8 @@ class Mixing {
 
     const int error = (yes ? 65536 : 0) - p;
     for (Row* const row : w) {
-      const int rate = static_cast<int>(rates_[row->seen] >> 15);
-      row->seen += row->seen + 1 < most_seen;
+      const int rate = static_cast<int>(rates_[row->seen / 4] >> 15);
+      row->seen += row->seen + 1 < 4 * most_rates;
       const int step = (error * rate + 256) >> 9;
       mixer::train(said.data(), row->w.data(), experts,
                    static_cast<std::int16_t>(std::clamp(step, -32767, 32767)));
@@ -98,7 +110,7 @@ class Mixing {
       Context::components* Context::modes* Context::supports* Context::scales* decisions};
   static constexpr unsigned curves =
       Context::components * Context::misses * Context::scales * decisions;
-  static constexpr unsigned most_seen = 4096;
+  static constexpr unsigned most_rates = 1024;
   static constexpr std::uint32_t first_rate = 42949673, final_rate = 4294967;  ///< .02, .002
 
   /// What decisions learn on many meshes, in 1/256: by mode, and whether they are first, further
@@ -134,7 +146,7 @@ class Mixing {
 
   std::array<std::vector<Row>, 2> weights_;
   std::vector<std::uint16_t> curves_;
-  std::array<std::uint32_t, most_seen> rates_;
+  std::array<std::uint32_t, most_rates> rates_;
   unsigned row_[2] = {}, curve_ = 0;
 };
 

@@ -18,11 +18,11 @@ struct Features {
   static constexpr int most = 2560;
 
   void set(unsigned i, int f) { at[i] = static_cast<std::int16_t>(std::clamp(f, -most, most)); }
-  /// 2^40 / (1 + their power), in their units: what steps are normalised by.
+  /// 2^40 / (1 + their power), in their units, about: what steps are normalised by.
   std::int64_t inverse_power() const {
     std::uint64_t power = 1 << 16;
     for (const std::int16_t f : at) power += static_cast<std::uint64_t>(std::int64_t(f) * f);
-    return static_cast<std::int64_t>((std::uint64_t(1) << 40) / power);
+    return static_cast<std::int64_t>(fixed::inverse(40, power));
   }
 
   alignas(16) std::array<std::int16_t, n> at = {};
@@ -32,13 +32,13 @@ struct Features {
 class Rate {
  public:
   std::int64_t next() {
-    const std::int64_t rate = 1311 + 655360 / (20 + seen_);
+    const std::uint32_t rate = 1311 + 655360 / (20 + seen_);
     seen_ += seen_ < 100000;
     return rate;
   }
 
  private:
-  std::int64_t seen_ = 0;
+  std::uint32_t seen_ = 0;
 };
 
 /// By how much a residual of size 2^(size/256) exceeds its scale, relative to it: -1 .. 2, in

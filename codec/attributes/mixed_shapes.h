@@ -26,9 +26,7 @@ namespace clers::internal::mixed {
 class Shapes {
  public:
   Shapes() : shapes_(keys), of_degree_(degrees) {}
-  static constexpr std::uint64_t memory() {
-    return std::uint64_t(keys + degrees) * sizeof(Shape);
-  }
+  static constexpr std::uint64_t memory() { return std::uint64_t(keys + degrees) * sizeof(Shape); }
 
   /// Degrees of v, a, b, c.
   static unsigned key(unsigned v, unsigned a, unsigned b, unsigned c) {
@@ -39,30 +37,33 @@ class Shapes {
   /// A side a-b in a frame, the normal (in units of 2^-14, or zero), and the key.
   struct Place {
     Vector middle, edge, across;
-    std::int64_t length = 1;
+    std::int64_t length = 1, inverse = 0;  ///< of the edge; 2^40 over it
     unsigned key = 0;
   };
-  static Place place(Vector a, Vector b, Vector normal, unsigned key) {
+  static Place place(const Vector& a, const Vector& b, const Vector& normal, unsigned key) {
     const Vector edge = b - a;
-    const std::uint64_t square = static_cast<std::uint64_t>(dot(edge >> 4, edge >> 4));
-    return {(a + b) >> 1, edge, cross(normal, edge) >> 14,
-            std::max<std::int64_t>(
-                static_cast<std::int64_t>(fixed::exp2(fixed::log2(square) / 2) >> 12), 1),
+    const auto square = static_cast<std::uint64_t>(dot(edge >> 4, edge >> 4));
+    const auto length = static_cast<std::int64_t>(fixed::exp2(fixed::log2(square) / 2) >> 12);
+    return {(a + b) >> 1, edge, cross(normal, edge) >> 14, length, (std::int64_t(1) << 40) / length,
             key};
   }
 
   /// Where v is by the average shape: that of all with v's degree, if none had all four.
-  Vector predict(const Place& at, Vector normal) const {
+  Vector predict(const Place& at, const Vector& normal) const {
     const Shape& s = shapes_[at.key].seen ? shapes_[at.key] : of_degree_[degree(at.key)];
     return at.middle + (at.edge * s.x >> 14) + (at.across * s.y >> 14) +
            (normal * (s.z * at.length >> 14) >> 14);
   }
-  void learn(const Place& at, Vector v, Vector normal) {
+  void learn(const Place& at, const Vector& v, const Vector& normal) {
     const Vector d = v - at.middle;
-    // Along the sides, lengths over at.length.
-    const std::int64_t square = std::max<std::int64_t>(at.length * at.length >> 14, 1);
-    const std::array<std::int64_t, 3> found = {dot(d, at.edge) / square, dot(d, at.across) / square,
-                                               dot(d, normal) / at.length};
+    // d.e over the length: in the direction of e. Then over the length again, in units of 2^-14.
+    const auto along = [&](const Vector& e) { return ((dot(d, e) >> 20) * at.inverse) >> 20; };
+    const auto part = [&](std::int64_t x) {
+      return static_cast<std::int32_t>(
+          std::clamp(x, -most * at.length, most * at.length) * at.inverse >> 26);
+    };
+    const std::array<std::int32_t, 3> found = {part(along(at.edge)), part(along(at.across)),
+                                               part(dot(d, normal) >> 14)};
     Shape& s = shapes_[at.key];
     Shape& of_degree = of_degree_[degree(at.key)];
     if (s.seen == 0 && of_degree.seen != 0) {
@@ -81,13 +82,14 @@ class Shapes {
   static constexpr unsigned degrees = 8;  ///< 3 or less, .., 10 or more
   static constexpr unsigned keys = degrees * degrees * degrees * degrees;
   static constexpr std::int32_t most_seen = 64;
-  static constexpr std::int64_t most = 1 << 17;
+  static constexpr std::int64_t most = 8;  ///< lengths
 
   static unsigned degree(unsigned key) { return key / (degrees * degrees * degrees); }
-  static void average(Shape& s, const std::array<std::int64_t, 3>& found) {
+  static void average(Shape& s, const std::array<std::int32_t, 3>& found) {
     s.seen = std::min(s.seen + 1, most_seen);
-    const auto toward = [&](std::int32_t& mean, std::int64_t x) {
-      mean += (static_cast<std::int32_t>(std::clamp(x, -most, most)) - mean) / s.seen;
+    const int share = 65536 / s.seen;
+    const auto toward = [&](std::int32_t& mean, std::int32_t x) {
+      mean += static_cast<std::int32_t>(std::int64_t(x - mean) * share >> 16);
     };
     toward(s.x, found[0]);
     toward(s.y, found[1]);

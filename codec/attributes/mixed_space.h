@@ -1,5 +1,5 @@
-// Space in which positions on a lattice are predicted: axes in true proportion, a frame about each
-// vertex whose unit fits the lengths there, and the places of integers along an axis in it.
+// Space in which positions on a lattice are predicted: axes in true proportion, and a frame about
+// each vertex whose unit fits the lengths there.
 #ifndef CLERS_CODEC_ATTRIBUTES_MIXED_SPACE_H
 #define CLERS_CODEC_ATTRIBUTES_MIXED_SPACE_H
 
@@ -20,128 +20,77 @@ namespace clers::internal::mixed {
 class Space {
  public:
   explicit Space(std::span<const Axis> axes) {
-    unsigned bits = 0;
     for (const Axis& axis : axes)
-      bits = std::max(bits, static_cast<unsigned>(std::bit_width(axis.top)) +
-                                static_cast<unsigned>(std::bit_width(axis.scale)));
-    bits_ = std::max(bits, 1u);
-    if (bits_ > 46) {
-      drop_ = bits_ - 46;
-      bits_ = 46;
-    }
-    for (unsigned i = 0; i < 3; ++i) {
+      bits_ = std::max(bits_, static_cast<int>(std::bit_width(axis.top)) +
+                                  static_cast<int>(std::bit_width(axis.scale)));
+    drop_ = std::max(bits_ - most_bits, 0);
+    bits_ -= drop_;
+    for (std::size_t i = 0; i < 3; ++i) {
       scale_[i] = axes[i].scale;
-      step_[i] = fixed::log2(axes[i].scale) - static_cast<int>(drop_) * fixed::octave;
+      top_[i] = static_cast<std::int64_t>(axes[i].top);
+      step_[i] = fixed::log2(axes[i].scale) - drop_ * fixed::octave;
     }
   }
 
   template <class Int>
   Vector point(const Int* row) const {
-    return {(std::int64_t(row[0]) >> drop_) * scale_[0],
-            (std::int64_t(row[1]) >> drop_) * scale_[1],
-            (std::int64_t(row[2]) >> drop_) * scale_[2]};
+    return {{coordinate(0, row[0]), coordinate(1, row[1]), coordinate(2, row[2])}};
   }
-  std::int64_t scale(unsigned axis) const { return scale_[axis]; }
-  unsigned drop() const { return drop_; }
+  std::int64_t coordinate(std::size_t axis, std::int64_t integer) const {
+    return (integer >> drop_) * scale_[axis];
+  }
+  /// The greatest integer of an axis whose coordinate is not above this; 0 .. top.
+  std::int64_t integer(std::size_t axis, std::int64_t coordinate) const {
+    if (coordinate <= 0) return 0;
+    const std::int64_t k = scale_[axis] == 1 ? coordinate : coordinate / scale_[axis];
+    return std::min(k, top_[axis] >> drop_) << drop_;
+  }
+  std::int64_t scale(std::size_t axis) const { return scale_[axis]; }
+  int drop() const { return drop_; }
   /// All coordinates are below 2^bits.
-  unsigned bits() const { return bits_; }
+  int bits() const { return bits_; }
   /// log2, in 1/256, of an axis' step.
-  int step(unsigned axis) const { return step_[axis]; }
+  int step(std::size_t axis) const { return step_[axis]; }
+  /// log2 of a quarter of the least step: less is not told from nothing.
+  int least_size() const {
+    return drop_ > 0 ? -2 * fixed::octave
+                     : std::min({step_[0], step_[1], step_[2]}) - 2 * fixed::octave;
+  }
+  /// The middle of all.
+  Vector middle() const {
+    return Vector{{coordinate(0, top_[0]), coordinate(1, top_[1]), coordinate(2, top_[2])}} >> 1;
+  }
 
  private:
-  std::int64_t scale_[3];
+  static constexpr int most_bits = 46;
+
+  std::int64_t scale_[3], top_[3];
   int step_[3];
-  unsigned bits_ = 0, drop_ = 0;
+  int bits_ = 1, drop_ = 0;
 };
 
-/// Units of 2^-finer, from an origin.
+/// Units of 2^-finer, from an origin. Lengths along edges are below 2^20 or so in it; what is
+/// further off than `most` is put there.
 struct Frame {
+  static constexpr int edge_bits = 20;
   static constexpr std::int64_t most = std::int64_t(1) << 28;
 
   Vector origin;
   int finer = 0;
 
-  /// A difference in units of 2^-(finer + more), clamped.
   static std::int64_t scaled(std::int64_t d, int finer) {
     if (finer <= 0) return std::clamp(d >> -finer, -most, most);
     const std::int64_t limit = most >> finer;
     return std::clamp(d, -limit, limit) * (std::int64_t(1) << finer);
   }
-  Vector local(Vector d) const {
-    return {scaled(d.x, finer), scaled(d.y, finer), scaled(d.z, finer)};
+  Vector scaled(const Vector& d) const {
+    return {{scaled(d[0], finer), scaled(d[1], finer), scaled(d[2], finer)}};
   }
-};
+  /// The place of a point.
+  Vector place(const Vector& point) const { return scaled(point - origin); }
 
-/// The integers that one axis allows, by index, and the places between them in a frame.
-class Ruler {
- public:
-  Ruler(const Space& space, const Axis& axis, unsigned component, const Frame& frame)
-      : palette_(axis.palette),
-        count_(palette_.empty() ? static_cast<std::int64_t>(axis.top) + 1
-                                : static_cast<std::int64_t>(palette_.size())),
-        top_(static_cast<std::int64_t>(axis.top)),
-        scale_(space.scale(component)),
-        origin_(frame.origin[component]),
-        drop_(static_cast<int>(space.drop())),
-        finer_(frame.finer),
-        step_(space.step(component) + frame.finer * fixed::octave) {}
-
-  std::int64_t count() const { return count_; }
-  /// Whether indices are ranks in a palette.
-  bool ranks() const { return !palette_.empty(); }
-  /// log2 of a step in the frame, in 1/256.
-  int step() const { return step_; }
-
-  std::uint64_t value(std::int64_t index) const {
-    return palette_.empty() ? static_cast<std::uint64_t>(index)
-                            : palette_[static_cast<std::size_t>(index)];
-  }
-  std::int64_t index(std::uint64_t value) const {
-    if (palette_.empty()) return static_cast<std::int64_t>(value);
-    return std::lower_bound(palette_.begin(), palette_.end(), value) - palette_.begin();
-  }
-
-  /// The place half way between an index and the one before; 0 <= index <= count().
-  std::int64_t edge(std::int64_t index) const {
-    std::int64_t twice = 2 * index - 1;
-    if (!palette_.empty()) {
-      const std::size_t i = static_cast<std::size_t>(index);
-      twice = index == 0        ? 2 * static_cast<std::int64_t>(palette_[0]) - 1
-              : index == count_ ? 2 * static_cast<std::int64_t>(palette_[i - 1]) + 1
-                                : static_cast<std::int64_t>(palette_[i - 1] + palette_[i]);
-    }
-    return Frame::scaled((twice >> drop_) * scale_ - 2 * origin_, finer_ - 1);
-  }
-
-  /// The first index that is not before a place, at most count() - 1.
-  std::int64_t first_at_least(std::int64_t place) const {
-    // Rounded up, in coordinates, then in integers.
-    const std::int64_t coordinate =
-        origin_ + (finer_ >= 0 ? (place + ((std::int64_t(1) << finer_) - 1)) >> finer_
-                               : place * (std::int64_t(1) << -finer_));
-    std::int64_t integer = coordinate <= 0 ? 0
-                           : scale_ == 1   ? coordinate
-                                           : (coordinate + scale_ - 1) / scale_;
-    integer = std::min(integer, top_ >> drop_) << drop_;
-    if (palette_.empty()) return std::min(integer, count_ - 1);
-    return std::min<std::int64_t>(index(static_cast<std::uint64_t>(integer)), count_ - 1);
-  }
-
-  /// The cell that is about `step` steps further than cell `low`, at least one.
-  std::int64_t step_from(bool up, std::int64_t middle, std::int64_t low, std::int64_t step) const {
-    if (palette_.empty()) return low + step;
-    const std::int64_t at = up ? middle + low : middle - 1 - low;
-    if (at < 0 || at >= count_) return low + 1;
-    const std::int64_t here = static_cast<std::int64_t>(palette_[static_cast<std::size_t>(at)]);
-    const std::int64_t to = up ? here + step : here - step;
-    const std::int64_t there = to < 0 ? -1 : index(static_cast<std::uint64_t>(to));
-    return std::max(low + 1, up ? there - middle : middle - 1 - there);
-  }
-
- private:
-  std::span<const std::uint64_t> palette_;
-  std::int64_t count_, top_, scale_, origin_;
-  int drop_, finer_, step_;
+  /// log2, in 1/256, of an octave in it.
+  int octaves() const { return finer * fixed::octave; }
 };
 
 }  // namespace clers::internal::mixed

@@ -27,30 +27,41 @@ enum class Relation : std::uint8_t {
 };
 inline constexpr std::uint32_t relations = 3;
 
+/// What is asked before anything is predicted; the numbers are the format's.
+enum class Repeats : std::uint8_t {
+  none,
+  values,      ///< whether the value is one of those around it
+  components,  ///< whether a component is that of one of those
+};
+inline constexpr std::uint32_t repeats_count = 3;
+
 struct NamedModel {
   NamedPredictor predictor = NamedPredictor::before;
   Relation relation = Relation::none;
-  bool repeats = false;  ///< whether a value is one of those around it is asked first
+  Repeats repeats = Repeats::none;
 
   /// Whether it is one for so many components.
   bool fits(std::size_t components) const {
+    if (repeats == Repeats::components && (components < 2 || predictor == NamedPredictor::symbol))
+      return false;
     if (relation == Relation::none) return true;
     return predictor != NamedPredictor::symbol &&
            components >= (relation == Relation::green ? 3u : 2u);
   }
 };
-inline constexpr std::uint32_t named_models = 2 * named_predictors * relations;
+inline constexpr std::uint32_t named_models = repeats_count * relations * named_predictors;
 
 /// As the byte that the format has for it, below named_models; and back.
 inline std::uint32_t number_of(const NamedModel& model) {
-  return (std::uint32_t(model.repeats) * relations + static_cast<std::uint32_t>(model.relation)) *
+  return (static_cast<std::uint32_t>(model.repeats) * relations +
+          static_cast<std::uint32_t>(model.relation)) *
              named_predictors +
          static_cast<std::uint32_t>(model.predictor);
 }
 inline NamedModel named_model(std::uint32_t number) {
   return {static_cast<NamedPredictor>(number % named_predictors),
           static_cast<Relation>(number / named_predictors % relations),
-          number >= named_predictors * relations};
+          static_cast<Repeats>(number / (named_predictors * relations) % repeats_count)};
 }
 
 /// The greatest integer of a component as it is coded: of those that are one of few, the rank.

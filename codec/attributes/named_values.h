@@ -16,6 +16,7 @@
 #include "codec/attributes/known_values.h"
 #include "codec/attributes/lattice.h"
 #include "codec/attributes/named_model.h"
+#include "codec/attributes/named_prediction.h"
 #include "codec/connectivity/coded_surface.h"
 #include "codec/entropy/coder.h"
 
@@ -46,7 +47,7 @@ class NamedValueCoder {
         rows_(rows),
         width_(tops.size()),
         sizes_(rows.size()),
-        repeated_(rows.size() / width_) {
+        repeated_(rows.size() / (model.repeats == Repeats::components ? 1 : width_)) {
     std::uint64_t most = 0;
     for (const std::uint64_t top : tops) most = std::max(most, top);
     quarters_ = quarter_octaves(most) + 1;
@@ -59,7 +60,7 @@ class NamedValueCoder {
 
   /// Codes value v. False if an integer that is decoded is not in 0 .. top.
   bool code(std::uint32_t v, const Nearby& nearby) {
-    if (model_.repeats && code_repeat(v, nearby)) return true;
+    if (model_.repeats == Repeats::values && code_repeat(v, nearby)) return true;
     if (model_.predictor == NamedPredictor::symbol) return code_symbols(v);
     std::int64_t first_off = 0, sum_off = 0;
     int larger = 0;
@@ -71,22 +72,25 @@ class NamedValueCoder {
         at(v, c) = 0;
         continue;
       }
-      const std::int64_t alone = predict(c, nearby);
-      std::int64_t prediction = alone;
-      if (green && (i == 1 || i == 2)) prediction += first_off;
-      if (model_.relation == Relation::sum && i + 1 == width_) prediction -= sum_off;
-      prediction = std::clamp<std::int64_t>(prediction, 0, top);
-      const unsigned expected = expect(c, nearby);
-      const unsigned context =
-          i == 0 ? 0 : static_cast<unsigned>(3 + std::clamp(larger / 3, -2, 2));
-      const std::int64_t r =
-          code_residual(c, expected, context, Coder::encodes ? at(v, c) - prediction : 0);
-      if (r < -prediction || r > top - prediction) return false;
-      at(v, c) = static_cast<Int>(prediction + r);
-      const unsigned size = quarter_octaves(static_cast<std::uint64_t>(r < 0 ? -r : r));
-      sizes_[v * width_ + c] = static_cast<std::uint8_t>(size);
-      const int by = static_cast<int>(size) - static_cast<int>(expected);
-      larger = i == 0 ? by : (larger + by) / 2;
+      const std::int64_t alone =
+          predict_named<Int>(model_.predictor, rows_.subspan(c), width_, tops_[c], nearby);
+      if (model_.repeats != Repeats::components || !code_repeat(v, c, i, nearby)) {
+        std::int64_t prediction = alone;
+        if (green && (i == 1 || i == 2)) prediction += first_off;
+        if (model_.relation == Relation::sum && i + 1 == width_) prediction -= sum_off;
+        prediction = std::clamp<std::int64_t>(prediction, 0, top);
+        const unsigned expected = expect(c, nearby);
+        const unsigned context =
+            i == 0 ? 0 : static_cast<unsigned>(3 + std::clamp(larger / 3, -2, 2));
+        const std::int64_t r =
+            code_residual(c, expected, context, Coder::encodes ? at(v, c) - prediction : 0);
+        if (r < -prediction || r > top - prediction) return false;
+        at(v, c) = static_cast<Int>(prediction + r);
+        const unsigned size = quarter_octaves(static_cast<std::uint64_t>(r < 0 ? -r : r));
+        sizes_[v * width_ + c] = static_cast<std::uint8_t>(size);
+        const int by = static_cast<int>(size) - static_cast<int>(expected);
+        larger = i == 0 ? by : (larger + by) / 2;
+      }
       const std::int64_t off = at(v, c) - alone;
       if (i == 0) first_off = off;
       sum_off = std::clamp<std::int64_t>(sum_off + off, -most_off, most_off);
@@ -96,7 +100,7 @@ class NamedValueCoder {
 
   /// The bytes that one takes.
   static std::uint64_t memory(std::uint64_t values, std::uint64_t components) {
-    return values * (components + 1) + (std::uint64_t(1) << 20);
+    return values * (2 * components + 1) + (std::uint64_t(1) << 20);
   }
 
  private:
@@ -120,38 +124,6 @@ class NamedValueCoder {
   Int& at(std::size_t v, std::size_t c) { return rows_[v * width_ + c]; }
   std::int64_t get(std::size_t v, std::size_t c) const { return rows_[v * width_ + c]; }
   std::size_t kind(std::size_t c) const { return std::min(c, kinds_of_components - 1); }
-
-  std::int64_t predict(std::size_t c, const Nearby& n) const {
-    const auto before = [&] { return n.before == Nearby::none ? 0 : get(n.before, c); };
-    const bool gate = n.c != Nearby::none;
-    switch (model_.predictor) {
-      case NamedPredictor::parallelogram:
-        return gate ? get(n.a, c) + get(n.b, c) - get(n.c, c) : n.count ? mean(c, n) : before();
-      case NamedPredictor::median: {
-        if (!gate) return n.count ? mean(c, n) : before();
-        const std::int64_t a = get(n.a, c), b = get(n.b, c);
-        return std::clamp(a + b - get(n.c, c), std::min(a, b), std::max(a, b));
-      }
-      case NamedPredictor::mean: return n.count ? mean(c, n) : before();
-      default: return before();
-    }
-  }
-
-  /// The mean of the neighbours: the first and what the others are more, rounded up from a half.
-  std::int64_t mean(std::size_t c, const Nearby& n) const {
-    const std::int64_t first = get(n.around[0], c);
-    const auto count = static_cast<std::int64_t>(n.count);
-    std::int64_t sum = 0;
-    if (sizeof(Int) == 4 || tops_[c] < std::uint64_t(1) << 56) {
-      for (std::size_t i = 1; i < n.count; ++i) sum += get(n.around[i], c) - first;
-      return first + floor_of(2 * sum + count, 2 * count);
-    }
-    // What does not overflow, and is near the mean.
-    for (std::size_t i = 1; i < n.count; ++i) sum += (get(n.around[i], c) - first) / count;
-    return first + sum;
-  }
-
-  static std::int64_t floor_of(std::int64_t n, std::int64_t d) { return n / d - (n % d < 0); }
 
   /// The mean size of what the neighbours were off, in quarter octaves.
   unsigned expect(std::size_t c, const Nearby& n) const {
@@ -241,7 +213,7 @@ class NamedValueCoder {
                       rows_.begin() + static_cast<std::ptrdiff_t>(width_ * u));
   }
 
-  /// Whether the value is one of those around it, and of which.
+  /// Whether the value is one of those around it, and which.
   bool code_repeat(std::uint32_t v, const Nearby& n) {
     std::array<std::uint32_t, 4> different;
     std::size_t count = 0;
@@ -261,12 +233,42 @@ class NamedValueCoder {
       lately = repeated_[n.before];
     }
     const std::size_t context = 3 * lately / all;
+    const bool before = n.before != Nearby::none && repeated_[n.before];
     for (std::size_t i = 0; i < count; ++i) {
-      BitModel& m = repeat_[context][count - 1][i];
+      BitModel& m = repeat_[before][context][count - 1][i];
       if (!coder_.bit(m, Coder::encodes && same(v, different[i]))) continue;
       if (!Coder::encodes)
         for (std::size_t c = 0; c < width_; ++c) at(v, c) = at(different[i], c);
       repeated_[v] = 1;
+      return true;
+    }
+    return false;
+  }
+
+  /// The same for component c, the i-th that is coded.
+  bool code_repeat(std::uint32_t v, std::size_t c, std::size_t i, const Nearby& n) {
+    std::array<std::int64_t, 3> different;
+    std::size_t count = 0;
+    unsigned lately = 0;
+    for (std::size_t k = 0; k < n.count; ++k) {
+      const std::int64_t x = get(n.around[k], c);
+      const auto end = different.begin() + static_cast<std::ptrdiff_t>(count);
+      if (count < different.size() && std::find(different.begin(), end, x) == end)
+        different[count++] = x;
+      lately += repeated_[n.around[k] * width_ + c];
+    }
+    if (count == 0) return false;
+    // How many around were, whether most of them are alike, and which components before were.
+    const std::size_t share = (3 * lately + n.count - 1) / n.count;
+    const bool alike = n.count > count + 2;
+    std::size_t earlier = n.count > 2 ? 4 : 0;
+    for (std::size_t k = 0; k < std::min<std::size_t>(i, 2); ++k)
+      earlier += std::size_t(repeated_[v * width_ + k]) << k;
+    for (std::size_t k = 0; k < count; ++k) {
+      BitModel& m = component_repeat_[std::min<std::size_t>(c, 3)][alike][share][earlier][k];
+      if (!coder_.bit(m, Coder::encodes && get(v, c) == different[k])) continue;
+      at(v, c) = static_cast<Int>(different[k]);
+      repeated_[v * width_ + c] = 1;
       return true;
     }
     return false;
@@ -278,12 +280,12 @@ class NamedValueCoder {
   const std::span<Int> rows_;
   const std::size_t width_;
   unsigned quarters_ = 0;
-  std::vector<std::uint8_t> sizes_;  // of what was off, in quarter octaves, a component each
-  std::vector<std::uint8_t> repeated_;
+  std::vector<std::uint8_t> sizes_;     // of what was off, in quarter octaves, a component each
+  std::vector<std::uint8_t> repeated_;  // a value each, or a component
   std::vector<LengthModel> by_quarter_, by_component_;
   std::vector<MantissaModel> mantissas_;
   std::vector<SymbolModel> symbols_;
-  BitModel repeat_[4][4][4];
+  BitModel repeat_[2][4][4][4], component_repeat_[4][2][4][8][3];
 };
 
 }  // namespace clers::internal

@@ -12,7 +12,7 @@ namespace clers::internal {
 template <class Int>
 Expected<Done> decode_named_values(std::span<const std::byte> bytes, std::uint64_t at,
                                    std::span<const Axis> axes, const CodedSurface& surface,
-                                   std::span<Int> rows) {
+                                   std::span<Int> rows, Domain domain) {
   const std::size_t components = axes.size(), values = rows.size() / components;
   const auto invalid = [&](std::string what) {
     return fail(ErrorCode::invalid, Place::byte, at, std::move(what));
@@ -36,8 +36,8 @@ Expected<Done> decode_named_values(std::span<const std::byte> bytes, std::uint64
     return invalid("more values than their bytes can say");
   auto decoded = decode_stream(stream, "the values", [&](DecodeFrom& coder) {
     NamedValueCoder<Int, DecodeFrom> coded(coder, model, tops, rows);
-    const bool ok = for_each_with_nearby(
-        surface, values, values,
+    const bool ok = for_each_nearby(
+        domain, surface, values, values,
         [&](std::uint32_t v, const Nearby& nearby) { return coded.code(v, nearby); });
     return std::string(ok ? "" : "a value beyond the greatest");
   });
@@ -50,16 +50,17 @@ Expected<Done> decode_named_values(std::span<const std::byte> bytes, std::uint64
   return decoded;
 }
 
-std::uint64_t named_values_memory(std::uint64_t values, std::uint64_t components) {
+std::uint64_t named_values_memory(std::uint64_t values, std::uint64_t components,
+                                  std::uint64_t vertices) {
   return NamedValueCoder<std::int32_t, DecodeFrom>::memory(values, components) +
-         known_values_memory(values) + 8 * components;
+         known_values_memory(values, vertices) + 8 * components;
 }
 
 template Expected<Done> decode_named_values(std::span<const std::byte>, std::uint64_t,
                                             std::span<const Axis>, const CodedSurface&,
-                                            std::span<std::int32_t>);
+                                            std::span<std::int32_t>, Domain);
 template Expected<Done> decode_named_values(std::span<const std::byte>, std::uint64_t,
                                             std::span<const Axis>, const CodedSurface&,
-                                            std::span<std::int64_t>);
+                                            std::span<std::int64_t>, Domain);
 
 }  // namespace clers::internal

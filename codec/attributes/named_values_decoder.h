@@ -9,6 +9,7 @@
 #include "codec/attributes/lattice.h"
 #include "codec/connectivity/coded_surface.h"
 #include "codec/error.h"
+#include "codec/mesh.h"
 
 namespace clers::internal {
 
@@ -18,10 +19,11 @@ namespace clers::internal {
 template <class Int>
 Expected<Done> decode_named_values(std::span<const std::byte> bytes, std::uint64_t at,
                                    std::span<const Axis> axes, const CodedSurface& surface,
-                                   std::span<Int> rows);
+                                   std::span<Int> rows, Domain domain = Domain::vertex);
 
-/// Bytes that decode_named_values allocates.
-std::uint64_t named_values_memory(std::uint64_t values, std::uint64_t components);
+/// Bytes that decode_named_values allocates; `vertices` are those of values of corners, else 0.
+std::uint64_t named_values_memory(std::uint64_t values, std::uint64_t components,
+                                  std::uint64_t vertices = 0);
 
 }  // namespace clers::internal
 

@@ -5,14 +5,16 @@
 #include "codec/attributes/lattice.h"
 #include "codec/connectivity/coded_surface.h"
 #include "codec/entropy/bytes.h"
+#include "codec/mesh.h"
 
 namespace clers::internal {
 
-/// Encodes values of vertices along their surface, others with one that is empty. The model is what
-/// does best on the first of them. Precondition: what lattice.h says. Cost: linear. Throws
-/// std::bad_alloc only.
+/// Encodes values that lie on a surface as for_each_nearby says. Of a mesh of polygons, corners are
+/// those of the mesh, without twins. The model is what does best on the first of them.
+/// Precondition: what lattice.h says. Cost: linear. Throws std::bad_alloc only.
 template <class Int>
-Bytes encode_named_values(const Lattice<Int>& values, const CodedSurface& surface);
+Bytes encode_named_values(const Lattice<Int>& values, const CodedSurface& surface,
+                          Domain domain = Domain::vertex);
 
 }  // namespace clers::internal
 

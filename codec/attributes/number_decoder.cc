@@ -84,10 +84,12 @@ Expected<Done> make_refined(const Integers& integers, const Component& of,
       const Refinement r = refinements.code(coder, k, {});
       return refined_word<T>(s, map, integer_of(s, k, r.low), r.choice);
     };
-    if (palette != nullptr)
-      for (const std::uint64_t k : *palette) entries.push_back(word(k));
-    else
+    if (palette == nullptr) {
       make_numbers<U>(integers, of, values, word);
+    } else {
+      entries.reserve(refined);
+      for (const std::uint64_t k : *palette) entries.push_back(word(k));
+    }
     return std::string();
   });
   if (!done || palette == nullptr) return done;
@@ -121,8 +123,12 @@ Expected<NumberReader> NumberReader::read(ByteReader& in, Scalar scalar, std::si
                                           std::uint64_t count) {
   NumberReader reader;
   reader.numbers_.scalar = scalar;
+  reader.numbers_.systems.reserve(components);
+  reader.numbers_.axes.reserve(components);
+  reader.parts_.reserve(components);
   for (std::size_t c = 0; c < components; ++c) {
-    auto column = read_column(in, scalar, count);
+    const auto& systems = reader.numbers_.systems;
+    auto column = read_column(in, scalar, count, systems.empty() ? nullptr : &systems.back());
     if (!column) return Failure{column.error()};
     Part part = {column->coding, column->refined_palette, {}, 0, {}};
     if (!column->axis.palette.empty()) {
@@ -152,8 +158,8 @@ Expected<NumberReader> NumberReader::read(ByteReader& in, Scalar scalar, std::si
 
 std::uint64_t NumberReader::memory(std::size_t components, std::uint64_t count) {
   constexpr std::uint64_t of_component = sizeof(NumberSystem) + sizeof(Axis) + sizeof(Part);
-  // Entries of palettes, while one has its words too; vectors that grow.
-  return components * (2 * of_component + count / 2 * 8) + count / 2 * 8 +
+  // Entries of palettes, while one of them has its words too
+  return components * (of_component + count / 2 * 8) + count / 2 * 8 +
          RefinementCoder<PrintedMap<double>>::memory();
 }
 template <class Int>

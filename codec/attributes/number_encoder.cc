@@ -75,8 +75,8 @@ struct EncodedColumn {
   Bytes palette, refinements;
   EncodedStream strays;
 
-  void put(Bytes& out) const {
-    put_column(out, header);
+  void put(Bytes& out, const NumberSystem* before) const {
+    put_column(out, header, before);
     if (!header.axis.palette.empty()) EncodedStream{{}, palette}.put(out);
     if (has_refinements(header.system)) EncodedStream{{}, refinements}.put(out);
     if (header.has_strays) strays.put(out);
@@ -107,6 +107,7 @@ void choose_refinements(EncodedColumn& out, const Map& map, const std::vector<st
   std::size_t least = 0;
   for (const RefinementCoding coding :
        {RefinementCoding::bits, RefinementCoding::adaptive, RefinementCoding::repeating}) {
+    if (Map::has_choices && coding == RefinementCoding::adaptive) continue;  // gains nothing
     Bytes bytes = encode_refinements(out.header.system, map, coding, ks, known);
     const bool first = coding == RefinementCoding::bits;
     if (first || bytes.size() < least) {
@@ -219,7 +220,7 @@ NumberedValues put_into_systems(std::span<const std::byte> values, Scalar scalar
   set_scales(out.numbers);
   for (std::size_t c = 0; c < components; ++c) {
     columns[c].header.axis.scale = out.numbers.axes[c].scale;
-    columns[c].put(out.bytes);
+    columns[c].put(out.bytes, c == 0 ? nullptr : &columns[c - 1].header.system);
   }
   out.numbers.narrow() ? set_rows(columns, out.narrow) : set_rows(columns, out.wide);
   return out;
@@ -246,7 +247,7 @@ void put_plain_numbers(Bytes& out, const Numbers& numbers) {
       column.palette = encode_stream([&](auto& coder) {
         code_palette(coder, column.header.axis.palette, column.header.axis.top);
       });
-    column.put(out);
+    column.put(out, c == 0 ? nullptr : &numbers.systems[c - 1]);
   }
 }
 

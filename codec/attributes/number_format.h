@@ -149,23 +149,42 @@ inline double read_double(ByteReader& in) {
   return std::bit_cast<double>(low | std::uint64_t(in.u32()) << 32);
 }
 
+/// Whether a system differs from another, if any, in nothing but where it begins.
+inline bool like(const NumberSystem& system, const NumberSystem* before) {
+  if (before == nullptr) return false;
+  NumberSystem same = *before;
+  same.first = system.first;
+  return system == same;
+}
+
+/// In the first byte: the map in bits 0 .. 2, the coding of refinements in bits 4 and 5.
+namespace column_kind {
+inline constexpr std::uint32_t map = 7, like_before = 8, coding = 48, scaled = 64, all = 127;
+}
+/// In the second byte.
 namespace column_flags {
 inline constexpr std::uint32_t signed_zero = 1, decimals = 2, low_bits = 4, ulps = 8, strays = 16,
                                palette = 32, refined_palette = 64, all = 127;
 }
 
-/// Appends all of a column but the entries of the palette, how many they are included.
-inline void put_column(Bytes& out, const NumberColumn& column) {
+/// Appends all of a column but the entries of the palette, how many they are included. `before` is
+/// the system of the component before it, if there is one.
+inline void put_column(Bytes& out, const NumberColumn& column, const NumberSystem* before) {
   const NumberSystem& s = column.system;
-  put_u8(out, static_cast<std::uint32_t>(s.map) | static_cast<std::uint32_t>(column.coding) << 4);
+  const bool known = like(s, before);
+  put_u8(out, static_cast<std::uint32_t>(s.map) | (known ? column_kind::like_before : 0) |
+                  static_cast<std::uint32_t>(column.coding) << 4 |
+                  (column.axis.scale != 1 ? column_kind::scaled : 0));
   using namespace column_flags;
   put_u8(out, (s.signed_zero ? signed_zero : 0) | (s.decimals ? decimals : 0) |
                   (s.low_bits > 0 ? low_bits : 0) | (s.ulps > 0 ? ulps : 0) |
                   (column.has_strays ? strays : 0) | (column.axis.palette.empty() ? 0 : palette) |
                   (column.refined_palette ? refined_palette : 0));
   put_varint(out, column.axis.top);
-  put_varint(out, column.axis.scale);
+  if (column.axis.scale != 1) put_varint(out, column.axis.scale);
+  if (!column.axis.palette.empty()) put_varint(out, column.axis.palette.size());
   put_signed_varint(out, s.first);
+  if (known) return;
   put_varint(out, s.step);
   if (s.low_bits > 0) put_u8(out, s.low_bits);
   if (s.ulps > 0) put_u8(out, s.ulps);
@@ -176,56 +195,63 @@ inline void put_column(Bytes& out, const NumberColumn& column) {
   }
   if (s.map >= NumberMap::digits) put_u8(out, s.precision);
   if (s.map == NumberMap::digits || s.map == NumberMap::binary) put_signed_varint(out, s.exponent);
-  if (!column.axis.palette.empty()) put_varint(out, column.axis.palette.size());
 }
 
 /// Reads what put_column wrote. The palette has its size, and zeros. Errors: truncated, invalid.
-inline Expected<NumberColumn> read_column(ByteReader& in, Scalar scalar, std::uint64_t count) {
+inline Expected<NumberColumn> read_column(ByteReader& in, Scalar scalar, std::uint64_t count,
+                                          const NumberSystem* before) {
   const std::uint64_t at = in.offset();
-  NumberColumn column;
-  NumberSystem& s = column.system;
-  const std::uint32_t kind = in.u8(), flags = in.u8();
-  const auto flag = [&](std::uint32_t f) { return (flags & f) != 0; };
-  using namespace column_flags;
-  s.map = static_cast<NumberMap>(kind & 15);
-  column.coding = static_cast<RefinementCoding>(kind >> 4 & 3);
-  s.signed_zero = flag(signed_zero);
-  s.decimals = flag(decimals);
-  column.has_strays = flag(strays);
-  column.refined_palette = flag(refined_palette);
-  column.axis.top = in.varint();
-  const std::uint64_t scale = in.varint();
-  s.first = in.signed_varint();
-  s.step = in.varint();
-  if (flag(low_bits)) s.low_bits = static_cast<std::uint8_t>(in.u8());
-  if (flag(ulps)) s.ulps = static_cast<std::uint8_t>(in.u8());
-  if (s.map == NumberMap::quotient || s.map == NumberMap::printed) s.divisor = in.varint();
-  if (s.map == NumberMap::affine) {
-    s.origin = read_double(in);
-    s.length = read_double(in);
-  }
-  if (s.map >= NumberMap::digits) s.precision = static_cast<std::uint8_t>(in.u8());
-  std::int64_t exponent = 0;
-  if (s.map == NumberMap::digits || s.map == NumberMap::binary) exponent = in.signed_varint();
-  const std::uint64_t entries = flag(palette) ? in.varint() : 0;
-  if (!in.ok()) return Failure{in.error()};
   const auto invalid = [&](const std::string& what) {
     return fail(ErrorCode::invalid, Place::byte, at, "a component with " + what);
   };
-  if ((kind & 15) >= number_map_count || kind >> 4 > 2)
-    return invalid("number system " + std::to_string(kind));
-  if (flags > all || (s.decimals && s.map != NumberMap::printed) ||
-      (flag(low_bits) && s.low_bits == 0) || (flag(ulps) && s.ulps == 0) ||
-      (flag(refined_palette) && !flag(palette)))
-    return invalid("flags " + std::to_string(flags));
+  NumberColumn column;
+  NumberSystem& s = column.system;
+  const std::uint32_t kind = in.u8(), flags = in.u8();
+  using namespace column_flags;
+  const bool known = (kind & column_kind::like_before) != 0;
+  column.coding = static_cast<RefinementCoding>((kind & column_kind::coding) >> 4);
+  column.has_strays = (flags & strays) != 0;
+  column.refined_palette = (flags & refined_palette) != 0;
+  column.axis.top = in.varint();
+  const std::uint64_t scale = (kind & column_kind::scaled) != 0 ? in.varint() : 1;
+  const std::uint64_t entries = (flags & palette) != 0 ? in.varint() : 0;
+  if (known && before != nullptr) s = *before;
+  s.map = static_cast<NumberMap>(kind & column_kind::map);
+  s.signed_zero = (flags & signed_zero) != 0;
+  s.decimals = (flags & decimals) != 0;
+  s.first = in.signed_varint();
+  std::int64_t exponent = s.exponent;
+  if (!known) {
+    s.step = in.varint();
+    if ((flags & low_bits) != 0) s.low_bits = static_cast<std::uint8_t>(in.u8());
+    if ((flags & ulps) != 0) s.ulps = static_cast<std::uint8_t>(in.u8());
+    if (s.map == NumberMap::quotient || s.map == NumberMap::printed) s.divisor = in.varint();
+    if (s.map == NumberMap::affine) {
+      s.origin = read_double(in);
+      s.length = read_double(in);
+    }
+    if (s.map >= NumberMap::digits) s.precision = static_cast<std::uint8_t>(in.u8());
+    if (s.map == NumberMap::digits || s.map == NumberMap::binary) exponent = in.signed_varint();
+  }
+  if (!in.ok()) return Failure{in.error()};
+  if ((kind & column_kind::map) >= number_map_count || kind > column_kind::all ||
+      static_cast<unsigned>(column.coding) > 2 || scale > 65535 ||
+      ((kind & column_kind::scaled) != 0 && scale == 1))
+    return invalid("kind " + std::to_string(kind));
   if (exponent < -2000 || exponent > 2000) return invalid("an exponent out of range");
   s.exponent = static_cast<std::int16_t>(exponent);
-  column.axis.scale = static_cast<std::uint32_t>(std::min<std::uint64_t>(scale, 65536));
+  if (known != like(s, before)) return invalid("a system that is not the one before it");
+  if (flags > all || (s.decimals && s.map != NumberMap::printed) ||
+      ((flags & low_bits) != 0) != (s.low_bits > 0) || ((flags & ulps) != 0) != (s.ulps > 0) ||
+      (column.refined_palette && entries == 0) ||
+      (!has_refinements(s) && (column.refined_palette || column.coding != RefinementCoding::bits)))
+    return invalid("flags " + std::to_string(flags));
+  column.axis.scale = static_cast<std::uint32_t>(scale);
   if (std::string fault =
           with_number_type(scalar, [&](auto t) { return fault_of<decltype(t)>(column); });
       !fault.empty())
     return invalid(fault);
-  if (flag(palette) && (entries == 0 || entries > count / 2 || entries > column.axis.top))
+  if ((flags & palette) != 0 && (entries == 0 || entries > count / 2 || entries > column.axis.top))
     return invalid("a palette of " + std::to_string(entries));
   column.axis.palette.resize(static_cast<std::size_t>(entries));
   return column;

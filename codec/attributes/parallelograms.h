@@ -5,10 +5,19 @@
 
 #include <cstdint>
 
+#include "codec/base/portable.h"
 #include "codec/connectivity/coded_surface.h"
 #include "topology/ids.h"
 
 namespace clers::internal {
+
+/// lnext and lprev of a half-edge without a branch, which would go either way.
+CLERS_ALWAYS_INLINE std::uint32_t next_in(std::uint32_t h) {
+  return h + 1 - 3 * static_cast<std::uint32_t>(h % 3 == 2);
+}
+CLERS_ALWAYS_INLINE std::uint32_t previous_in(std::uint32_t h) {
+  return h - 1 + 3 * static_cast<std::uint32_t>(h % 3 == 0);
+}
 
 /// Where vertex v is in the triangle that introduces it: the half-edge there that leaves v.
 /// Precondition: a triangle has v.

@@ -27,12 +27,13 @@ struct ResidualContext {
   /// 15 bins of the widest are more than there are integers.
   static constexpr unsigned most_width = 58;
 
-  unsigned kind;  ///< 0 in the plane of parallelograms, 1 across it, 2 without any
+  unsigned kind;  ///< 0 in the plane of parallelograms, 1 across it, 2 without any,
+                  ///< 3 near an image, 4 near a copy
   unsigned octave, width;
 
   CLERS_ALWAYS_INLINE ResidualContext(unsigned k, unsigned size)
       : kind(k), octave(std::min(size >> 2, octaves - 1)) {
-    const int wider = static_cast<int>(octave) - (kind == 1 ? 2 : 3);
+    const int wider = static_cast<int>(octave) - (kind == 1 || kind == 4 ? 2 : 3);
     width = std::min(static_cast<unsigned>(wider & ~(wider >> 31)), most_width);
   }
 };
@@ -48,14 +49,16 @@ CLERS_ALWAYS_INLINE std::uint64_t low_bits(std::int64_t r, unsigned width) {
 ///
 ///     | -1 |  0 |  1 |  2 |      0 is in the middle of its bin
 ///
-/// Sixteenth symbol: a bin further out, which follows.
+/// Sixteenth symbol: a bin further out, which follows. Contexts are octaves of the size expected
+/// and what else is near; if `mixed`, half and half with one of octaves alone.
+template <bool mixed>
 class ResidualModel {
  public:
-  static constexpr unsigned kinds = 3;
+  static constexpr unsigned kinds = 5;
   static constexpr unsigned nears = 9;  ///< what else is near: contexts that callers number
 
   ResidualModel() {
-    for (unsigned octave = 0; octave < ResidualContext::octaves; ++octave)
+    for (unsigned octave = 0; mixed && octave < ResidualContext::octaves; ++octave)
       by_octave_.insert(by_octave_.end(), kinds, prior(octave));
     for (unsigned octave = 0; octave < few; ++octave)
       by_near_.insert(by_near_.end(), kinds * nears, prior(octave));
@@ -75,8 +78,12 @@ class ResidualModel {
       symbol = bin < -7 || bin > 7 ? 15 : static_cast<unsigned>(bin + 7);
     }
     const unsigned octave = std::min(context.octave, few - 1);
-    symbol = coder.symbol(lane, by_octave_[context.kind + kinds * context.octave],
-                          by_near_[(octave * kinds + context.kind) * nears + near], symbol);
+    Distribution& near_one = by_near_[(octave * kinds + context.kind) * nears + near];
+    if constexpr (mixed)
+      symbol =
+          coder.symbol(lane, by_octave_[context.kind + kinds * context.octave], near_one, symbol);
+    else
+      symbol = coder.symbol(lane, near_one, symbol);
     if (symbol == 15) [[unlikely]] {
       if (!code_beyond(coder, lane, context, bin)) return false;
     } else {
@@ -87,7 +94,8 @@ class ResidualModel {
   }
 
  private:
-  static constexpr unsigned few = 5;  ///< octaves that are told apart beside what else is near
+  static constexpr unsigned few =
+      mixed ? 5 : 8;  ///< octaves that are told apart beside what else is near
 
   template <class Coder>
   CLERS_NEVER_INLINE bool code_beyond(Coder& coder, unsigned lane, ResidualContext context,
@@ -96,7 +104,7 @@ class ResidualModel {
     const std::uint64_t beyond = static_cast<std::uint64_t>(negative ? -bin : bin) - 7;
     unsigned length = static_cast<unsigned>(std::bit_width(beyond)) - 1;
     Distribution& lengths = beyond_[context.kind];
-    const unsigned s = coder.symbol(lane, lengths, lengths, std::min(length, 15u));
+    const unsigned s = coder.symbol(lane, lengths, std::min(length, 15u));
     length = s < 15 ? s : 15 + static_cast<unsigned>(coder.even(lane, 6, length - 15));
     if (length + context.width > 60) return false;
     const std::uint64_t one = std::uint64_t(1) << length;

@@ -1,6 +1,9 @@
 // Positions -> bytes, in contexts of the sizes of residuals.
+#include "codec/attributes/copies.h"
+#include "codec/attributes/mirror.h"
 #include "codec/attributes/sized_model.h"
 #include "codec/attributes/sized_positions.h"
+#include "codec/attributes/symmetry.h"
 #include "codec/entropy/lanes.h"
 
 namespace clers::internal {
@@ -8,11 +11,20 @@ namespace clers::internal {
 template <class Int>
 Bytes encode_sized_positions(const CodedSurface& surface, Lattice<Int> positions,
                              VisitOrder order) {
-  if (surface.twins.empty()) order = VisitOrder::introduction;
+  Guides guides;
+  if (surface.twins.empty()) {
+    order = VisitOrder::introduction;
+  } else {
+    guides.symmetry = find_mirror(positions);
+    guides.originals = find_originals(surface);
+    guides.copies = copies_pay(surface, guides.originals, positions);
+  }
   LaneEncoder coder;
-  with_sized_model(surface, positions, [&](auto& model) { return model.code(coder, order); });
+  with_sized_model(surface, positions, guides, order,
+                   [&](auto& model) { return model.code(coder); });
   Bytes out;
-  put_u8(out, static_cast<std::uint8_t>(order));
+  put_u8(out, static_cast<std::uint32_t>(order) | (guides.copies ? 2 : 0));
+  put_mirror(out, guides.symmetry);
   coder.finish(out);
   return out;
 }

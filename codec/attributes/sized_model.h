@@ -9,21 +9,34 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
 #include "codec/attributes/axis_steps.h"
+#include "codec/attributes/copies.h"
 #include "codec/attributes/lattice.h"
+#include "codec/attributes/mirror.h"
+#include "codec/attributes/parallelograms.h"
 #include "codec/attributes/residual_sizes.h"
 #include "codec/attributes/sized_positions.h"
+#include "codec/attributes/symmetry.h"
 #include "codec/attributes/triples.h"
 #include "codec/attributes/visit_order.h"
 #include "codec/base/portable.h"
 #include "codec/connectivity/coded_surface.h"
+#include "codec/entropy/coder.h"
 #include "codec/entropy/lanes.h"
 #include "topology/ids.h"
 
 namespace clers::internal {
+
+/// What is known of a shape beforehand.
+struct Guides {
+  std::optional<Symmetry> symmetry;
+  bool copies = false;
+  Originals originals;  ///< if there are copies
+};
 
 /// Codes the positions along a surface. Int is that of the rows; Triple what geometry is computed
 /// in: Narrow where all axes have one scale, no palette, and tops below narrow_top; else Wide.
@@ -42,37 +55,38 @@ namespace clers::internal {
 /// Along their normal a residual is smaller than in their plane, mostly, and what is known of the
 /// one in the plane says more: the vertex lies in the plane. So the axis next to the normal is
 /// coded last, its mean lifted by the slope of the plane.
-template <class Int, class Triple>
+template <class Int, class Triple, VisitOrder order>
 class SizedModel {
   static constexpr bool wide = std::is_same_v<Triple, Wide>;
+  static constexpr bool fast = order == VisitOrder::introduction;
   using Record = Quadruple<typename Triple::Number>;
 
  public:
-  SizedModel(const CodedSurface& surface, Lattice<Int> positions)
+  SizedModel(const CodedSurface& surface, Lattice<Int> positions, const Guides& guides)
       : surface_(surface),
         rows_(positions.rows.data()),
         count_(static_cast<std::uint32_t>(positions.count())),
         steps_(positions.axes),
-        records_(count_) {}
+        records_(count_) {
+    if (guides.copies) copies_.emplace(guides.originals, rows_, positions.axes);
+    if (guides.symmetry) {
+      mirror_.emplace(*guides.symmetry, rows_, count_, surface);
+      symmetry_axis_ = guides.symmetry->axis;
+    }
+    guided_ = copies_ || mirror_;
+  }
 
   /// False if no positions are what was decoded.
   template <class Coder>
-  bool code(Coder& coder, VisitOrder order) {
-    if (surface_.twins.empty()) {
-      for_each_introduced(surface_, [&](std::uint32_t t, unsigned i) { code_apart(coder, t, i); });
-    } else if (order == VisitOrder::introduction) {
-      for_each_introduced(surface_, [&](std::uint32_t t, unsigned i) CLERS_INLINE_LAMBDA {
-        if (i == 2) [[likely]]
-          code_at(coder, 3 * t + 2, 3 * t, 3 * t + 1);
-        else
-          code_beside(coder, surface_.corners[3 * std::size_t(t) + i],
-                      i == 0 ? last_ : surface_.corners[3 * std::size_t(t)]);
-      });
-    } else {
+  bool code(Coder& coder) {
+    if constexpr (!fast)
       for_each_by_parallelograms(surface_, [&](HalfEdge h, const Visited&) {
-        code_at(coder, h.index(), lnext(h).index(), lprev(h).index());
+        code_at(coder, h.index(), next_in(h.index()), previous_in(h.index()));
       });
-    }
+    else if (surface_.twins.empty())
+      for_each_introduced(surface_, [&](std::uint32_t t, unsigned i) { code_apart(coder, t, i); });
+    else
+      code_introduced(coder);
     for (std::uint32_t v = 0; v < count_; ++v)
       if (!surface_.has(v)) code_beside(coder, v, last_);
     return valid_;
@@ -84,9 +98,21 @@ class SizedModel {
   static bool known(const Record& r) { return r.at[3] != 0; }
   static std::uint32_t sizes(const Record& r) { return static_cast<std::uint32_t>(r.at[3]); }
 
-  /// lnext and lprev without a branch, which would go either way.
-  static std::uint32_t next_in(std::uint32_t h) { return h + 1 - 3 * (h % 3 == 2); }
-  static std::uint32_t previous_in(std::uint32_t h) { return h - 1 + 3 * (h % 3 == 0); }
+  /// As for_each_introduced, but corners 0 and 1 are looked at only where they may introduce.
+  template <class Coder>
+  void code_introduced(Coder& coder) {
+    const std::uint32_t triangles = static_cast<std::uint32_t>(surface_.corners.size() / 3);
+    for (std::uint32_t t = 0; t < triangles; ++t) {
+      const std::uint32_t* c = surface_.corners.data() + 3 * std::size_t(t);
+      const HalfEdge before = surface_.twins[3 * std::size_t(t)];
+      if (!before || left(before).index() >= t) [[unlikely]] {
+        if (surface_.introduced_by[c[0]] == t) code_beside(coder, c[0], last_);
+        if (surface_.introduced_by[c[1]] == t && c[1] != c[0]) code_beside(coder, c[1], c[0]);
+      }
+      if (surface_.introduced_by[c[2]] == t && c[2] != c[1] && c[2] != c[0])
+        code_at(coder, 3 * t + 2, 3 * t, 3 * t + 1);
+    }
+  }
 
   /// The vertex that half-edge h leaves, where `next` and `previous` are the two after it.
   template <class Coder>
@@ -144,9 +170,12 @@ class SizedModel {
     sum += (sizes(rd) + sizes(rdd)) & (0u - static_cast<std::uint32_t>(left));
     sum += (sizes(re) + sizes(ree)) & (0u - static_cast<std::uint32_t>(right));
     const Triple A(ra), B(rb), C(rc), D(rd), E(re);
-    const std::array<std::int64_t, 3> normal =
-        steps_.normal({B - A, (D - B).when(left), (A - E).when(right)},
-                      {B - C, D - Triple(rdd), A - Triple(ree)});
+    std::array<std::int64_t, 3> normal;
+    if constexpr (fast)
+      normal = steps_.normal(std::array{B - A}, std::array{B - C});
+    else
+      normal = steps_.normal(std::array{B - A, (D - B).when(left), (A - E).when(right)},
+                             std::array{B - C, D - Triple(rdd), A - Triple(ree)});
     const std::int64_t nx = std::abs(normal[0]), ny = std::abs(normal[1]), nz = std::abs(normal[2]);
     const unsigned z = (2u - (ny > nz)) & (0u - !((nx > ny) & (nx > nz)));
     static constexpr std::uint8_t after[] = {1, 2, 0};
@@ -170,22 +199,66 @@ class SizedModel {
               across = expected(n, sum >> 16, apart(z));
     const auto slopes = slopes_of(normal[x], normal[y], normal[z], plane - across);
 
+    Int* row = rows_ + 3 * std::size_t(v);
+    std::int64_t rx, ry, rz;
+    if (guided_ && code_guided(coder, v, a, b, c, mean)) [[unlikely]] {
+      rx = 4 * std::int64_t(row[x]) - mean[x];
+      ry = 4 * std::int64_t(row[y]) - mean[y];
+      rz = 4 * std::int64_t(row[z]) - mean[z] + steps_.lift(slopes, {rx, ry}, {x, y, z});
+      return remember(v, x, y, z, rx, ry, rz);
+    }
     const ResidualContext in_x = steps_.context(x, 0, plane), in_y = steps_.context(y, 0, plane),
                           in_z = steps_.context(z, 1, across);
     std::array<std::uint64_t, 3> low{};
     if constexpr (!Coder::encodes) low = coder.bits(in_x.width, in_y.width, in_z.width);
+    rx = code_one(coder, 0, x, row[x], mean[x], in_x, low[0], n);
+    ry = code_one(coder, 1, y, row[y], mean[y], in_y, low[1], n);
+    const std::int64_t lifted = mean[z] - steps_.lift(slopes, {rx, ry}, {x, y, z});
+    rz = code_one(coder, 2, z, row[z], lifted, in_z, low[2], n);
+    remember(v, x, y, z, rx, ry, rz);
+  }
+
+  /// v by where a copy or a symmetry says that it is, if they do and it is about there: all the
+  /// same, and without a place in a plane. False if they do not.
+  template <class Coder>
+  CLERS_NEVER_INLINE bool code_guided(Coder& coder, std::uint32_t v, std::uint32_t a,
+                                      std::uint32_t b, std::uint32_t c, const std::int64_t* mean) {
     Int* row = rows_ + 3 * std::size_t(v);
-    const std::int64_t rx = code_one(coder, 0, x, row[x], mean[x], in_x, low[0], n);
-    const std::int64_t ry = code_one(coder, 1, y, row[y], mean[y], in_y, low[1], n);
-    const std::int64_t mz = mean[z] - steps_.lift(slopes, {rx, ry}, {x, y, z});
-    const std::int64_t rz = code_one(coder, 2, z, row[z], mz, in_z, low[2], n);
-    if constexpr (wide)
-      typical_ = sizes_of(std::max(steps_.size(x, magnitude(rx)), steps_.size(y, magnitude(ry))),
-                          steps_.size(z, magnitude(rz)));
-    else
-      typical_ = sizes_of(steps_.size(x, std::max(magnitude(rx), magnitude(ry))),
-                          steps_.size(z, magnitude(rz)));
-    remember(v);
+    Int place[3] = {};
+    if (copies_ && copies_->guess(v, a, b, c, place)) {
+      const unsigned size = std::max(copies_->expected() / 4, 4u) - 4;
+      for (unsigned i = 0; i < 3; ++i)
+        code_alone(coder, i, row[i], place[i], ResidualContext(4, size), 1);
+      return true;
+    }
+    if (!mirror_) return false;
+    for (unsigned i = 0; i < 3; ++i) place[i] = static_cast<Int>(steps_.within(i, mean[i] >> 2));
+    guessed_ = mirror_->guess(a, b, place);
+    if (guessed_ == Mirror<Int>::nobody) return false;
+    bool near = true;
+    for (unsigned i = 0; i < 3; ++i) {
+      place[i] = static_cast<Int>(steps_.within(i, mirror_->image(guessed_, i)));
+      if constexpr (Coder::encodes)
+        near = near && magnitude(steps_.difference(i, row[i], place[i])) <= 3;
+    }
+    near = coder.flag(0, nears_[last_nears_], near);
+    last_nears_ = (2 * last_nears_ + near) % 8;
+    if (!near) return false;
+    unsigned n = 1;
+    for (unsigned i = 0; i < 3; ++i) {
+      code_alone(coder, i, row[i], place[i], ResidualContext(3, 0), i == symmetry_axis_ ? 2 : n);
+      if (row[i] != place[i]) n = 3;
+    }
+    return true;
+  }
+
+  /// One component that waits for no other.
+  template <class Coder>
+  std::int64_t code_alone(Coder& coder, unsigned i, Int& value, std::int64_t from,
+                          ResidualContext context, unsigned n) {
+    std::uint64_t low = 0;
+    if constexpr (!Coder::encodes) low = coder.bits(context.width, 0, 0)[0];
+    return code_one(coder, i, i, value, 4 * from, context, low, n);
   }
 
   /// v by the position of a vertex beside it; where there is none, by 0.
@@ -194,11 +267,8 @@ class SizedModel {
     if (!valid_) return;
     Int* row = rows_ + 3 * std::size_t(v);
     for (unsigned i = 0; i < 3; ++i) {
-      const std::int64_t mean = 4 * std::int64_t(count_ > 0 ? records_[from].at[i] : 0);
-      const ResidualContext context = steps_.context(i, 2, beside_[i] >> 4);
-      std::uint64_t low = 0;
-      if constexpr (!Coder::encodes) low = coder.bits(context.width, 0, 0)[0];
-      const std::int64_t r = code_one(coder, i, i, row[i], mean, context, low, 1);
+      const std::int64_t r = code_alone(coder, i, row[i], records_[from].at[i],
+                                        steps_.context(i, 2, beside_[i] >> 4), 1);
       beside_[i] += (16 * steps_.size(i, magnitude(r)) - beside_[i]) >> 2;
     }
     remember(v);
@@ -253,12 +323,29 @@ class SizedModel {
   static std::uint32_t sizes_of(int plane, int across) {
     return static_cast<std::uint32_t>((plane + 1) | (across + 1) << 16);
   }
+  CLERS_ALWAYS_INLINE void remember(std::uint32_t v, unsigned x, unsigned y, unsigned z,
+                                    std::int64_t rx, std::int64_t ry, std::int64_t rz) {
+    if constexpr (wide)
+      typical_ = sizes_of(std::max(steps_.size(x, magnitude(rx)), steps_.size(y, magnitude(ry))),
+                          steps_.size(z, magnitude(rz)));
+    else
+      typical_ = sizes_of(steps_.size(x, std::max(magnitude(rx), magnitude(ry))),
+                          steps_.size(z, magnitude(rz)));
+    remember(v);
+  }
   CLERS_ALWAYS_INLINE void remember(std::uint32_t v) {
     using Number = typename Triple::Number;
     const Int* row = rows_ + 3 * std::size_t(v);
     records_[v] = {{static_cast<Number>(row[0]), static_cast<Number>(row[1]),
                     static_cast<Number>(row[2]), static_cast<Number>(typical_)}};
     last_ = v;
+    if (guided_ && valid_) [[unlikely]]
+      tell(v);
+  }
+  CLERS_NEVER_INLINE void tell(std::uint32_t v) {
+    if (copies_) copies_->known(v);
+    if (mirror_) mirror_->known(v, guessed_);
+    guessed_ = Mirror<Int>::nobody;
   }
 
   const CodedSurface surface_;
@@ -266,23 +353,34 @@ class SizedModel {
   const std::uint32_t count_;
   const AxisSteps<Triple> steps_;
   std::vector<Record> records_;
-  ResidualModel residuals_;
+  ResidualModel<!fast> residuals_;
+  std::optional<Copies<Int>> copies_;
+  std::optional<Mirror<Int>> mirror_;
+  std::uint32_t guessed_ = Mirror<Int>::nobody, symmetry_axis_ = 3;
+  BitModel nears_[8];
+  unsigned last_nears_ = 7;
+  bool guided_ = false;
   int beside_[3] = {};  ///< how far vertices are apart where nothing else is known, in 1/16
   std::uint32_t last_ = 0;
   std::uint32_t typical_ = 0x00010001;  ///< sizes of the last one that was predicted
   bool valid_ = true;
 };
 
-/// Calls use(SizedModel) with the one for these axes.
+/// Calls use(SizedModel) with the one for these axes and this order.
 template <class Int, class Use>
-auto with_sized_model(const CodedSurface& surface, Lattice<Int> positions, Use use) {
-  if constexpr (sizeof(Int) == 4)
-    if (AxisSteps<Narrow>::fit(positions.axes)) {
-      SizedModel<Int, Narrow> model(surface, positions);
+auto with_sized_model(const CodedSurface& surface, Lattice<Int> positions, const Guides& guides,
+                      VisitOrder order, Use use) {
+  const auto with_order = [&]<class Triple>(std::type_identity<Triple>) {
+    if (order == VisitOrder::introduction) {
+      SizedModel<Int, Triple, VisitOrder::introduction> model(surface, positions, guides);
       return use(model);
     }
-  SizedModel<Int, Wide> model(surface, positions);
-  return use(model);
+    SizedModel<Int, Triple, VisitOrder::parallelograms> model(surface, positions, guides);
+    return use(model);
+  };
+  if constexpr (sizeof(Int) == 4)
+    if (AxisSteps<Narrow>::fit(positions.axes)) return with_order(std::type_identity<Narrow>());
+  return with_order(std::type_identity<Wide>());
 }
 
 }  // namespace clers::internal

@@ -32,10 +32,9 @@ template <class Int>
 Expected<Done> decode_sized_positions(std::span<const std::byte> bytes, std::uint64_t at,
                                       const CodedSurface& surface, Lattice<Int> positions);
 
-/// What decoding allocates at most for so many positions.
-inline std::uint64_t sized_positions_memory(std::uint64_t count) {
-  return count * (32 + 9) + (std::uint64_t(1) << 16);
-}
+/// What decoding these bytes allocates, for so many positions and triangles.
+std::uint64_t sized_positions_memory(std::span<const std::byte> bytes, std::uint64_t count,
+                                     std::uint64_t triangles);
 
 }  // namespace clers::internal
 

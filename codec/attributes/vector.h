@@ -10,30 +10,46 @@
 namespace clers::internal {
 
 struct Vector {
-  std::int64_t x = 0, y = 0, z = 0;
+  std::array<std::int64_t, 3> at = {};
 
-  std::int64_t operator[](unsigned i) const { return i == 0 ? x : i == 1 ? y : z; }
-  std::int64_t& operator[](unsigned i) { return i == 0 ? x : i == 1 ? y : z; }
-  friend Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-  friend Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-  friend Vector operator*(Vector a, std::int64_t k) { return {a.x * k, a.y * k, a.z * k}; }
+  std::int64_t operator[](std::size_t i) const { return at[i]; }
+  std::int64_t& operator[](std::size_t i) { return at[i]; }
+  friend Vector operator+(const Vector& a, const Vector& b) {
+    return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};
+  }
+  friend Vector operator-(const Vector& a, const Vector& b) {
+    return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
+  }
+  friend Vector operator*(const Vector& a, std::int64_t k) {
+    return {{a[0] * k, a[1] * k, a[2] * k}};
+  }
   /// Rounded down.
-  friend Vector operator>>(Vector a, int n) { return {a.x >> n, a.y >> n, a.z >> n}; }
-  Vector& operator+=(Vector b) { return *this = *this + b; }
+  friend Vector operator>>(const Vector& a, int n) { return {{a[0] >> n, a[1] >> n, a[2] >> n}}; }
+  Vector& operator+=(const Vector& b) { return *this = *this + b; }
 };
 
-inline std::int64_t dot(Vector a, Vector b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
+inline std::int64_t dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-inline Vector cross(Vector a, Vector b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+inline Vector cross(const Vector& a, const Vector& b) {
+  return {{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
 }
-inline std::int64_t largest(Vector a) {
-  const auto size = [](std::int64_t k) { return k < 0 ? -k : k; };
-  return std::max({size(a.x), size(a.y), size(a.z)});
+inline std::int64_t size_of(std::int64_t k) {
+  return k < 0 ? -k : k;
 }
-inline Vector clamp(Vector a, std::int64_t most) {
-  return {std::clamp(a.x, -most, most), std::clamp(a.y, -most, most), std::clamp(a.z, -most, most)};
+inline std::int64_t largest(const Vector& a) {
+  return std::max({size_of(a[0]), size_of(a[1]), size_of(a[2])});
+}
+inline Vector clamp(const Vector& a, std::int64_t most) {
+  return {{std::clamp(a[0], -most, most), std::clamp(a[1], -most, most),
+           std::clamp(a[2], -most, most)}};
+}
+/// Times 2^n, rounded down.
+inline Vector shifted(const Vector& a, int n) {
+  return n >= 0 ? a * (std::int64_t(1) << n) : a >> -n;
+}
+inline std::int64_t shifted(std::int64_t k, int n) {
+  return n >= 0 ? k * (std::int64_t(1) << n) : k >> -n;
 }
 
 }  // namespace clers::internal

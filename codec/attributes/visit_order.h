@@ -56,30 +56,63 @@ class Visited {
 template <class Visit>
 void for_each_by_parallelograms(const CodedSurface& surface, Visit visit) {
   const std::size_t vertices = surface.introduced_by.size();
-  const auto at = [&](HalfEdge h) { return surface.corners[h.index()]; };
   Visited visited(vertices);
   // The queues: each vertex enters each once.
   std::vector<HalfEdge> one(vertices), two(vertices);
   std::size_t one_begin = 0, one_end = 0, two_begin = 0, two_end = 0;
-  // The vertex across half-edge h, if it is one more for h's triangle.
-  const auto look_across = [&](HalfEdge h) {
-    const HalfEdge across = surface.twins[h.index()];
-    if (!across) return;
-    const HalfEdge x = lprev(across);
-    if (visited(at(x))) return;
-    const unsigned n = visited.another(at(x));
-    if (n == 1) one[one_end++] = x;
-    if (n == 2) two[two_end++] = x;
+  // One more parallelogram for the vertex that half-edge x leaves.
+  const auto wait = [&](std::uint32_t x) {
+    const unsigned n = visited.another(surface.corners[x]);
+    if (n == 1) one[one_end++] = HalfEdge(x);
+    if (n == 2) two[two_end++] = HalfEdge(x);
   };
+  // Across from v in a triangle v a b, of which a and b are known.
+  const auto look_out = [&](std::uint32_t h) {
+    const HalfEdge across = surface.twins[next_in(h)];
+    if (!across) return;
+    const std::uint32_t x = previous_in(across.index());
+    if (!visited(surface.corners[x])) wait(x);
+  };
+  // Around v, of two triangles v r s and v s t that follow each other: where s is known and r or t
+  // is, the other is across from it.
   const auto go_to = [&](HalfEdge first) {
     visit(first, std::as_const(visited));
-    visited.visit(at(first));
-    for_each_around(surface, first, [&](HalfEdge h) {
-      if (!visited(at(lnext(h))) || !visited(at(lprev(h)))) return;
-      look_across(h);
-      look_across(lnext(h));
-      look_across(lprev(h));
-    });
+    visited.visit(surface.corners[first.index()]);
+    const auto knows = [&](std::uint32_t h) { return visited(surface.corners[h]); };
+    std::uint32_t h = first.index();
+    const bool first_r = knows(next_in(h)), first_s = knows(previous_in(h));
+    if (first_r & first_s) look_out(h);
+    bool r = first_r, s = first_s;
+    for (;;) {
+      const std::uint32_t back = next_in(h);  // leaves r
+      const HalfEdge across = surface.twins[previous_in(h)];
+      if (!across) break;
+      h = across.index();
+      const bool closed = h == first.index(), t = closed ? first_s : knows(previous_in(h));
+      if (s & (r != t)) {
+        const std::uint32_t x = r ? previous_in(h) : back;
+        wait(x);
+      }
+      if (closed) return;
+      if (s & t) look_out(h);
+      r = s;
+      s = t;
+    }
+    // The same clockwise from the first.
+    h = first.index();
+    r = first_s;
+    s = first_r;
+    for (;;) {
+      const std::uint32_t back = previous_in(h);
+      const HalfEdge across = surface.twins[h];
+      if (!across) return;
+      h = next_in(across.index());
+      const bool t = knows(next_in(h));
+      if (s & (r != t)) wait(r ? next_in(h) : back);
+      if (s & t) look_out(h);
+      r = s;
+      s = t;
+    }
   };
   const auto go_on = [&] {
     for (;;) {
@@ -90,12 +123,12 @@ void for_each_by_parallelograms(const CodedSurface& surface, Visit visit) {
         next = one[one_begin++];
       else
         return;
-      if (!visited(at(next))) go_to(next);
+      if (!visited(surface.corners[next.index()])) go_to(next);
     }
   };
   for_each_introduced(surface, [&](std::uint32_t t, unsigned corner) {
     const HalfEdge first = half_edge(Face(t), corner);
-    if (visited(at(first))) return;
+    if (visited(surface.corners[first.index()])) return;
     go_to(first);
     go_on();
   });

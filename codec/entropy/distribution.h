@@ -23,7 +23,7 @@ inline constexpr std::uint32_t shares = 1u << share_bits;
 /// Where the share of each of sixteen symbols starts. It ends where the next one starts, the last
 /// one's at `shares`.
 struct alignas(16) Starts {
-  std::uint16_t at[17] = {};
+  std::uint16_t at[17] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, shares};
 
   /// The symbol in whose share a place is.
   CLERS_ALWAYS_INLINE unsigned find(std::uint32_t place) const {
@@ -52,22 +52,23 @@ class alignas(64) Distribution {
   /// Begins as these shares, which sum up to `shares`.
   explicit constexpr Distribution(const std::array<std::uint16_t, 16>& share) {
     for (unsigned s = 1; s < 16; ++s)
-      start_[s] = static_cast<std::uint16_t>(start_[s - 1] + share[s - 1]);
+      start_.at[s] = static_cast<std::uint16_t>(start_.at[s - 1] + share[s - 1]);
   }
+
+  const Starts& starts() const { return start_; }
 
   /// Both halves of the two in one: every share is the mean of theirs, and at least `least`.
   CLERS_ALWAYS_INLINE static void mean(const Distribution& x, const Distribution& y, Starts& out) {
 #if CLERS_SSE2
-    const auto* a = reinterpret_cast<const __m128i*>(x.start_);
-    const auto* b = reinterpret_cast<const __m128i*>(y.start_);
+    const auto* a = reinterpret_cast<const __m128i*>(x.start_.at);
+    const auto* b = reinterpret_cast<const __m128i*>(y.start_.at);
     auto* o = reinterpret_cast<__m128i*>(out.at);
     _mm_store_si128(o, _mm_avg_epu16(_mm_load_si128(a), _mm_load_si128(b)));
     _mm_store_si128(o + 1, _mm_avg_epu16(_mm_load_si128(a + 1), _mm_load_si128(b + 1)));
 #else
     for (unsigned s = 0; s < 16; ++s)
-      out.at[s] = static_cast<std::uint16_t>((x.start_[s] + y.start_[s] + 1) >> 1);
+      out.at[s] = static_cast<std::uint16_t>((x.start_.at[s] + y.start_.at[s] + 1) >> 1);
 #endif
-    out.at[16] = shares;
   }
 
   /// The symbol was seen: its share grows, the others shrink, less the more were seen.
@@ -76,7 +77,7 @@ class alignas(64) Distribution {
     seen_ = static_cast<std::uint16_t>(seen + (seen < rates.size() - 1));
     const std::uint16_t* target = targets[rate - least_rate][symbol].data();
 #if CLERS_SSE2
-    auto* lanes = reinterpret_cast<__m128i*>(start_);
+    auto* lanes = reinterpret_cast<__m128i*>(start_.at);
     const auto* t = reinterpret_cast<const __m128i*>(target);
     const __m128i shift = _mm_cvtsi32_si128(static_cast<int>(rate));
     for (int i = 0; i < 2; ++i) {
@@ -86,8 +87,8 @@ class alignas(64) Distribution {
     }
 #else
     for (unsigned s = 0; s < 16; ++s) {
-      const int c = start_[s];
-      start_[s] = static_cast<std::uint16_t>(c + ((int(target[s]) - c) >> rate));
+      const int c = start_.at[s];
+      start_.at[s] = static_cast<std::uint16_t>(c + ((int(target[s]) - c) >> rate));
     }
 #endif
   }
@@ -120,7 +121,7 @@ class alignas(64) Distribution {
     return all;
   }();
 
-  std::uint16_t start_[16] = {};
+  Starts start_;
   std::uint16_t seen_ = 0;
 };
 

@@ -14,7 +14,9 @@
 
 #include "codec/base/portable.h"
 #include "codec/entropy/bytes.h"
+#include "codec/entropy/coder.h"
 #include "codec/entropy/distribution.h"
+#include "codec/entropy/rans.h"
 
 namespace clers::internal {
 
@@ -25,14 +27,28 @@ class LaneEncoder {
  public:
   static constexpr bool encodes = true;
 
-  /// A symbol in the mean of two distributions, which learn it.
+  /// A symbol in a distribution, which learns it.
+  CLERS_ALWAYS_INLINE unsigned symbol(unsigned lane, Distribution& x, unsigned s) {
+    put(lane, x.starts(), s);
+    x.update(s);
+    return s;
+  }
+  /// The same in the mean of two.
   CLERS_ALWAYS_INLINE unsigned symbol(unsigned lane, Distribution& x, Distribution& y, unsigned s) {
     Starts starts;
     Distribution::mean(x, y, starts);
-    put(lane, starts.at[s], std::uint32_t(starts.at[s + 1]) - starts.at[s]);
+    put(lane, starts, s);
     x.update(s);
     y.update(s);
     return s;
+  }
+
+  /// A decision among the symbols of a lane.
+  bool flag(unsigned lane, BitModel& model, bool value) {
+    const std::uint32_t share = model.share() >> (rans::scale_bits - share_bits);
+    value ? put(lane, 0, share) : put(lane, share, shares - share);
+    model.update(value);
+    return value;
   }
 
   /// n raw bits, n < 64.
@@ -57,6 +73,10 @@ class LaneEncoder {
 
   void put(unsigned lane, std::uint32_t start, std::uint32_t size) {
     intervals_.push_back(lane << 28 | size << 14 | start);
+  }
+
+  void put(unsigned lane, const Starts& starts, unsigned s) {
+    put(lane, starts.at[s], std::uint32_t(starts.at[s + 1]) - starts.at[s]);
   }
 
   /// Appends the size of the raw bits, the bits, the states, the words.
@@ -113,14 +133,26 @@ class LaneDecoder {
     end_ = next_ + words_.size();
   }
 
+  CLERS_ALWAYS_INLINE unsigned symbol(unsigned lane, Distribution& x, unsigned) {
+    const unsigned s = take(lane, x.starts());
+    x.update(s);
+    return s;
+  }
   CLERS_ALWAYS_INLINE unsigned symbol(unsigned lane, Distribution& x, Distribution& y, unsigned) {
     Starts starts;
     Distribution::mean(x, y, starts);
-    const unsigned s = starts.find(state_[lane] & (shares - 1));
-    advance(lane, starts.at[s], std::uint32_t(starts.at[s + 1]) - starts.at[s]);
+    const unsigned s = take(lane, starts);
     x.update(s);
     y.update(s);
     return s;
+  }
+
+  bool flag(unsigned lane, BitModel& model, bool) {
+    const std::uint32_t share = model.share() >> (rans::scale_bits - share_bits);
+    const bool value = (state_[lane] & (shares - 1)) < share;
+    value ? advance(lane, 0, share) : advance(lane, share, shares - share);
+    model.update(value);
+    return value;
   }
 
   std::uint64_t even(unsigned lane, unsigned n, std::uint64_t) {
@@ -152,6 +184,11 @@ class LaneDecoder {
   }
 
  private:
+  CLERS_ALWAYS_INLINE unsigned take(unsigned lane, const Starts& starts) {
+    const unsigned s = starts.find(state_[lane] & (shares - 1));
+    advance(lane, starts.at[s], std::uint32_t(starts.at[s + 1]) - starts.at[s]);
+    return s;
+  }
   CLERS_ALWAYS_INLINE void advance(unsigned lane, std::uint32_t start, std::uint32_t size) {
     std::uint32_t x = state_[lane];
     x = size * (x >> share_bits) + (x & (shares - 1)) - start;

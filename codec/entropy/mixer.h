@@ -20,7 +20,7 @@ inline constexpr int one = 1 << 28;
 
 namespace portable {
 
-inline std::int32_t dot(const std::int16_t* x, const std::int32_t* w, unsigned n) {
+CLERS_ALWAYS_INLINE std::int32_t dot(const std::int16_t* x, const std::int32_t* w, unsigned n) {
   std::uint32_t sum = 0;
   for (unsigned i = 0; i < n; ++i) sum += static_cast<std::uint32_t>(x[i] * (w[i] >> 16));
   return static_cast<std::int32_t>(sum);
@@ -28,7 +28,7 @@ inline std::int32_t dot(const std::int16_t* x, const std::int32_t* w, unsigned n
 
 /// w += x * e / 2^shift, rounded down, modulo 2^32.
 template <int shift = 3>
-void train(const std::int16_t* x, std::int32_t* w, unsigned n, std::int16_t e) {
+CLERS_ALWAYS_INLINE void train(const std::int16_t* x, std::int32_t* w, unsigned n, std::int16_t e) {
   for (unsigned i = 0; i < n; ++i)
     w[i] = static_cast<std::int32_t>(static_cast<std::uint32_t>(w[i]) +
                                      static_cast<std::uint32_t>((x[i] * e) >> shift));
@@ -38,7 +38,7 @@ void train(const std::int16_t* x, std::int32_t* w, unsigned n, std::int16_t e) {
 
 #if CLERS_SSE2
 
-inline std::int32_t dot(const std::int16_t* x, const std::int32_t* w, unsigned n) {
+CLERS_ALWAYS_INLINE std::int32_t dot(const std::int16_t* x, const std::int32_t* w, unsigned n) {
   __m128i sum = _mm_setzero_si128();
   for (unsigned i = 0; i < n; i += 8) {
     const __m128i low = _mm_load_si128(reinterpret_cast<const __m128i*>(w + i));
@@ -53,7 +53,7 @@ inline std::int32_t dot(const std::int16_t* x, const std::int32_t* w, unsigned n
 }
 
 template <int shift = 3>
-void train(const std::int16_t* x, std::int32_t* w, unsigned n, std::int16_t e) {
+CLERS_ALWAYS_INLINE void train(const std::int16_t* x, std::int32_t* w, unsigned n, std::int16_t e) {
   const __m128i error = _mm_set1_epi16(e);
   for (unsigned i = 0; i < n; i += 8) {
     __m128i* const at = reinterpret_cast<__m128i*>(w + i);

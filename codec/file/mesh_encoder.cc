@@ -61,6 +61,7 @@ class MeshEncoder {
       payload = std::move(*raw);
       kept_order.clear();
       surface.corners = fan_triangles(mesh_.corners, mesh_.face_sizes);
+      surface.twins = {};
       surface.introduced_by.resize(mesh_.vertex_count);
       find_introducing(surface.corners, surface.introduced_by);
       order() = identity(mesh_);

@@ -176,6 +176,20 @@ TEST(Copies, AreGuessedWithinTheTopsWhateverTheIntegers) {
   EXPECT_GT(meet<std::int32_t>(arrays.view(), originals, rows, most_narrow, 0).guessed, 0u);
 }
 
+TEST(Copies, WithoutTwinsNothingIsGuessed) {
+  const CodedArrays arrays = coded(corpus::copies(corpus::icosphere(1), 2));
+  const CodedSurface bare = {arrays.corners, {}, arrays.introduced_by};
+  const Originals originals = find_originals(bare);
+  const std::vector<std::int32_t> rows(3 * arrays.introduced_by.size());
+  const std::array<Axis, 3> axes = {Axis{1}, Axis{1}, Axis{1}};
+  Copies<std::int32_t> copies(originals, rows.data(), axes);
+  std::array<std::int32_t, 3> place;
+  for (std::uint32_t v = 2; v < arrays.introduced_by.size(); ++v) {
+    EXPECT_FALSE(copies.guess(v, v - 1, v - 2, Originals::none, place.data()));
+    copies.known(v);
+  }
+}
+
 TEST(Copies, FitFindsTheMap) {
   corpus::Random random(5);
   const auto number = [&](unsigned bits) {

@@ -12,6 +12,7 @@
 
 #include "codec/attributes/distribution.h"
 #include "codec/attributes/fixed_point.h"
+#include "codec/entropy/mixer.h"
 #include "codec/test/coded_surfaces.h"
 #include "corpus/random.h"
 
@@ -169,6 +170,41 @@ TEST(MixedCoder, EndsWhereItsBytesEnd) {
   EXPECT_FALSE(decode_mixed(bytes, 0, arrays.view(), Lattice<std::int32_t>{rows, a}).ok());
 }
 
+/// What no compiler or machine may change.
+TEST(MixedCoder, BytesAreTheSameEverywhere) {
+  const CodedArrays arrays = test::coded(corpus::punch_holes(corpus::torus(20, 15), 12, 1));
+  const auto a = axes(16383, 16383, 16383);
+  Random random(5);
+  std::vector<std::int32_t> rows;
+  std::int32_t at[3] = {8000, 8000, 8000};
+  for (std::size_t i = 0; i < 3 * arrays.introduced_by.size(); ++i) {
+    at[i % 3] =
+        std::clamp(at[i % 3] + static_cast<std::int32_t>(random.below(401)) - 200, 0, 16383);
+    rows.push_back(at[i % 3]);
+  }
+  std::uint64_t hash = 0;
+  for (const std::byte b : encode_mixed(arrays.view(), Lattice<std::int32_t>{rows, a}))
+    hash = (hash ^ std::to_integer<std::uint64_t>(b)) * 0x100000001b3;
+  EXPECT_EQ(hash, 18377484398905951013u);
+}
+
+TEST(Mixer, LearnsTheSameWithAndWithoutVectors) {
+  Random random(6);
+  alignas(16) std::int16_t x[16];
+  alignas(16) std::int32_t w[16], other[16];
+  for (unsigned i = 0; i < 16; ++i) {
+    x[i] = static_cast<std::int16_t>(random.next());
+    w[i] = other[i] = static_cast<std::int32_t>(random.next());
+  }
+  for (unsigned i = 0; i < 1000; ++i) {
+    const auto e = static_cast<std::int16_t>(random.next());
+    mixer::train<6>(x, w, 16, e);
+    mixer::portable::train<6>(x, other, 16, e);
+    EXPECT_TRUE(std::equal(w, w + 16, other));
+    EXPECT_EQ(mixer::dot(x, w, 16), mixer::portable::dot(x, w, 16));
+  }
+}
+
 TEST(FixedPoint, IsNearTheTruth) {
   for (double x = 1; x < 1.8e19; x = 1.013 * x + 1) {
     const auto k = static_cast<std::uint64_t>(x);
@@ -197,16 +233,17 @@ TEST(Distribution, IsNearTheTruth) {
   const int top = tables.log_density(0);
   for (int z = -Distribution::most; z <= Distribution::most; ++z) {
     const double x = z / 128.;
-    EXPECT_NEAR(tables.at_least(z), limited(std::log(survival(x) / survival(-x))), 1.1);
+    EXPECT_NEAR(tables.survival(z), 4096 * std::log(survival(x)), 1.1);
     EXPECT_NEAR(tables.log_density(z) - top, 256 * std::log(density(x) / density(0)), 1.6);
     for (int to = z + 3; to <= std::min(z + 700, Distribution::most); to += 41) {
       const double r = std::log(survival(x) / survival(to / 128.));
       if (r < .02) continue;
-      EXPECT_NEAR(tables.further(z, to), limited(-std::log(std::expm1(r))), 6);
+      EXPECT_NEAR(tables.odds(tables.survival(z) - tables.survival(to)),
+                  limited(-std::log(std::expm1(r))), 6);
     }
   }
-  EXPECT_EQ(tables.further(5, 5), 2815);
-  EXPECT_EQ(tables.log_density(1 << 30), tables.log_density(-Distribution::most));
+  EXPECT_EQ(tables.odds(0), 2815);
+  EXPECT_EQ(tables.odds(1 << 20), -2815);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
@@ -275,6 +276,90 @@ TEST(Numbers, LargeCoordinatesOnAGridAreFound) {
   EXPECT_EQ(system_of(decimetres), "steps of 0.3");
 }
 
+TEST(Numbers, PrintedStepsAreFound) {
+  const DoublePrecision doubles;
+  for (const char* format : {"%.6g", "%.6f"}) {
+    Random random(14);
+    std::vector<double> numbers;
+    for (int i = 0; i < 3000; ++i) {
+      char text[40];
+      std::snprintf(text, sizeof text, format, (double(random.below(9000)) - 1200.5) / 7846);
+      numbers.push_back(std::strtod(text, nullptr));
+    }
+    const NumberedValues coded = round_trip(numbers);
+    EXPECT_EQ(coded.numbers.systems[0].map, NumberMap::printed);
+    EXPECT_EQ(coded.numbers.systems[0].divisor, 2u * 7846);
+    EXPECT_LT(coded.numbers.axes[0].top, 9000u);
+    EXPECT_LT(coded.bytes.size(), 40u);
+  }
+}
+
+TEST(Numbers, StepsWithNoiseAreFound) {
+  const DoublePrecision doubles;
+  Random random(15);
+  std::vector<float> numbers;
+  for (int i = 0; i < 3000; ++i) {
+    const float x = static_cast<float>(.0371 * double(random.below(20000)) - 300);
+    numbers.push_back(std::nextafterf(x, random.chance(50) ? 1e9f : -1e9f));
+  }
+  const NumberedValues coded = round_trip(numbers);
+  EXPECT_EQ(coded.numbers.axes[0].top / 10000, 1u);
+  EXPECT_LT(coded.bytes.size(), 3000u * 3 / 8);
+}
+
+/// The numbers of integers 0 .. top in an affine system of a scalar.
+template <class T>
+std::vector<T> on_grid(double origin, double length, std::int64_t first, std::uint64_t top) {
+  Numbers numbers;
+  numbers.scalar = scalar_of<T>();
+  numbers.systems.resize(1);
+  numbers.systems[0].map = NumberMap::affine;
+  numbers.systems[0].origin = origin;
+  numbers.systems[0].length = length;
+  numbers.systems[0].first = first;
+  numbers.axes = {{top, 1, {}}};
+  Bytes bytes;
+  put_plain_numbers(bytes, numbers);
+  ByteReader in(bytes, 0);
+  const auto reader = NumberReader::read(in, numbers.scalar, 1, top + 1);
+  EXPECT_TRUE(reader.ok()) << describe(reader.error());
+  std::vector<std::int64_t> rows(top + 1);
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = static_cast<std::int64_t>(i);
+  std::vector<T> made(rows.size());
+  EXPECT_TRUE(
+      reader
+          ->to_values(std::span<const std::int64_t>(rows), std::as_writable_bytes(std::span(made)))
+          .ok());
+  return made;
+}
+
+TEST(Numbers, GridsOfCallersHaveTheirPoints) {
+  const DoublePrecision doubles;
+  const auto points = on_grid<float>(-5e6, .1, 50000000, 1000);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    volatile double product = (50000000. + double(i)) * .1;
+    volatile double sum = -5e6 + product;
+    EXPECT_EQ(points[i], static_cast<float>(sum));
+  }
+  EXPECT_EQ(on_grid<std::uint8_t>(-2.5, 100, 0, 4),
+            (std::vector<std::uint8_t>{0, 98, 198, 255, 255}));
+  EXPECT_EQ(on_grid<std::int8_t>(-200, 99.5, 0, 4),
+            (std::vector<std::int8_t>{-128, -100, -1, 99, 127}));
+  EXPECT_EQ(on_grid<std::int64_t>(-1e19, 5e18, 0, 4)[0], std::numeric_limits<std::int64_t>::min());
+  EXPECT_EQ(on_grid<std::uint64_t>(0, 1e19, 0, 2)[2], std::numeric_limits<std::uint64_t>::max());
+}
+
+TEST(Numbers, FewFarOutDoNotMakeIntegersWide) {
+  Random random(16);
+  std::vector<float> numbers;
+  for (int i = 0; i < 3000; ++i) numbers.push_back(float(double(random.below(100000)) / 1000));
+  numbers[100] = 1e9f;
+  numbers[2000] = -4e11f;
+  const NumberedValues coded = round_trip(numbers);
+  EXPECT_TRUE(coded.numbers.narrow());
+  EXPECT_EQ(describe(coded.numbers, 0), "3 decimals");
+}
+
 TEST(Numbers, IntegersHaveSteps) {
   Random random(7);
   std::vector<std::int16_t> numbers;
@@ -322,17 +407,21 @@ TEST(Numbers, BytesAreTheSameEverywhere) {
   Random random(11);
   const DoublePrecision doubles;
   std::vector<double> numbers;
+  std::vector<float> floats;
   for (int i = 0; i < 2000; ++i) {
     const double n = double(random.below(1000000)) - 5e5;
     numbers.insert(numbers.end(), {n / 7846, n / 1e9, n * .1 + 17, std::ldexp(n * n, -70)});
+    for (const double x : {n / 1e3, n * 1.1e-6, std::floor(n / 100) * 30 + 5e6, n / (n + 6e5)})
+      floats.push_back(std::bit_cast<float>(std::bit_cast<std::uint32_t>(static_cast<float>(x))));
   }
   std::uint64_t hash = 14695981039346656037u;
   const auto add = [&](std::uint64_t byte) { hash = (hash ^ byte) * 1099511628211u; };
-  const NumberedValues coded = round_trip(numbers, 4);
-  for (const std::byte b : coded.bytes) add(std::to_integer<std::uint64_t>(b));
-  for (const std::int32_t k : coded.narrow) add(static_cast<std::uint32_t>(k));
-  for (const std::int64_t k : coded.wide) add(static_cast<std::uint64_t>(k));
-  EXPECT_EQ(hash, 7718159277150070440u);
+  for (const NumberedValues& coded : {round_trip(numbers, 4), round_trip(floats, 4)}) {
+    for (const std::byte b : coded.bytes) add(std::to_integer<std::uint64_t>(b));
+    for (const std::int32_t k : coded.narrow) add(static_cast<std::uint32_t>(k));
+    for (const std::int64_t k : coded.wide) add(static_cast<std::uint64_t>(k));
+  }
+  EXPECT_EQ(hash, 8420792279100130962u);
 }
 
 /// Bytes of many systems, with what they were made of.
