@@ -74,15 +74,16 @@ void add_nearest(const Sorted<T>& a, const Sorted<T>& b, bool greater,
     colours_b[i] = combine(colours_b[i], distinct.back().second);
   }
   std::size_t j = 0;
-  for (const auto& [number, i] : a) {
+  for (const auto& element : a) {
     const auto closer = [&](std::size_t next) {
       if (next >= distinct.size()) return false;
-      const double here = difference(number, distinct[j].first),
-                   there = difference(number, distinct[next].first);
+      const double here = difference(element.first, distinct[j].first),
+                   there = difference(element.first, distinct[next].first);
       return there < here || (greater && there == here);
     };
     while (closer(j + 1)) ++j;
-    colours_a[i] = combine(colours_a[i], j);
+    Colour& colour = colours_a[element.second];
+    colour = combine(colour, j);
   }
 }
 
