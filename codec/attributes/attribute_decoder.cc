@@ -72,13 +72,15 @@ Expected<Done> finish_integers(const AttributeHeader& header, OrderPredictor pre
   if (header.coder == Coder::mixed) return decode_mixed(coded, at, surface, lattice);
   if (header.coder == Coder::sized) return decode_sized_positions(coded, at, surface, lattice);
   if (header.coder == Coder::named)
-    return decode_named_values(coded, at, lattice.axes, surface_of(header.attribute, surface),
-                               lattice.rows);
+    return decode_named_values(coded, at, lattice.axes,
+                               surface_of(header.attribute, lattice.count(), surface), lattice.rows,
+                               header.attribute.domain);
+  const bool of_vertices = header.attribute.domain == Domain::vertex;
   const std::vector<Axis> axes = with_ranks(lattice.axes);
   const Lattice<Int> ranks{lattice.rows, axes};
   const auto ok = header.coder == Coder::planes
                       ? add_to_integers(header.predictor, surface, at, ranks)
-                      : add_steps(predictor, surface_of(header.attribute, surface), at, ranks);
+                      : add_steps(predictor, of_vertices ? surface : CodedSurface{}, at, ranks);
   if (!ok) return ok;
   ranks_to_integers(lattice);
   return Done{};
@@ -162,7 +164,7 @@ Expected<Attribute> finish_attribute(std::span<const std::byte> bytes, std::uint
 }
 
 AttributeMemory decoding_memory(std::span<const std::byte> bytes, const AttributeHeader& header,
-                                std::uint64_t count, std::uint64_t triangles) {
+                                std::uint64_t count, SurfaceSize surface) {
   const std::uint64_t size = count * header.attribute.stride();
   if (header.coder == Coder::words) return {size, size, 0};
   const std::uint64_t integers = count * header.attribute.components *
@@ -174,10 +176,11 @@ AttributeMemory decoding_memory(std::span<const std::byte> bytes, const Attribut
                                           : residuals_memory(count, header.attribute.components),
             header.coder == Coder::planes ? integers : 0};
   const std::uint64_t coding =
-      header.coder == Coder::named ? named_values_memory(count, header.attribute.components)
+      header.coder == Coder::named
+          ? named_values_memory(count, header.attribute.components, surface.vertices)
       : header.coder == Coder::sized
-          ? sized_positions_memory(integers_of(bytes, header), count, triangles)
-          : mixed_memory(count, triangles);
+          ? sized_positions_memory(integers_of(bytes, header), count, surface.triangles)
+          : mixed_memory(count, surface.triangles);
   return {numbers, 0, integers + coding};
 }
 

@@ -46,14 +46,19 @@ Expected<Attribute> finish_attribute(std::span<const std::byte> bytes, std::uint
                                      const AttributeHeader& header, std::uint64_t count,
                                      BegunAttribute begun, const CodedSurface& surface);
 
-/// Bytes that this takes, at most, along so many triangles.
+/// What a surface has.
+struct SurfaceSize {
+  std::uint64_t vertices = 0, triangles = 0;
+};
+
+/// Bytes that this takes, at most.
 struct AttributeMemory {
   std::uint64_t begun = 0;      ///< what is in a BegunAttribute
   std::uint64_t beginning = 0;  ///< besides, while it is made
   std::uint64_t finishing = 0;  ///< besides it and the values, while they are made
 };
 AttributeMemory decoding_memory(std::span<const std::byte> bytes, const AttributeHeader& header,
-                                std::uint64_t count, std::uint64_t triangles);
+                                std::uint64_t count, SurfaceSize surface);
 
 }  // namespace clers::internal
 

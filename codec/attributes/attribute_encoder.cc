@@ -90,11 +90,13 @@ class AttributeEncoder {
     const auto take = [&](Coder coder, const Bytes& coded) {
       consider(coder, Predictor::none, numbered.bytes, coded, words);
     };
-    const bool is_position =
-        attribute_.domain == Domain::vertex && attribute_.name == position_name && axes.size() == 3;
+    const bool of_vertices = attribute_.domain == Domain::vertex;
+    const bool is_position = of_vertices && attribute_.name == position_name && axes.size() == 3;
     const Lattice<Int> lattice{rows, axes};
     if (!is_position && level_ >= 5)
-      take(Coder::named, encode_named_values(lattice, surface_of(attribute_, surface_)));
+      take(Coder::named,
+           encode_named_values(lattice, surface_of(attribute_, lattice.count(), surface_),
+                               attribute_.domain));
     if (is_position && level_ == 9) take(Coder::mixed, encode_mixed(surface_, lattice));
     if (is_position && level_ >= 7)
       take(Coder::sized, encode_sized_positions(surface_, lattice, VisitOrder::parallelograms));
@@ -103,7 +105,7 @@ class AttributeEncoder {
     integers_to_ranks(Lattice<Int>{rows, axes});
     const std::vector<Axis> ranked = with_ranks(axes);
     const Lattice<const Int> ranks{rows, ranked};
-    take(Coder::ordered, encode_ordered(ranks, surface_of(attribute_, surface_), level_));
+    take(Coder::ordered, encode_ordered(ranks, of_vertices ? surface_ : CodedSurface{}, level_));
     if (level_ < 5) return Done{};
     auto packed = pack_integers(ranks, predictors_, surface_, zstd_level(level_));
     if (!packed) return Failure{packed.error()};

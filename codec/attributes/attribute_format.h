@@ -71,6 +71,8 @@ struct AttributeHeader {
 /// What must be decoded before values can be.
 enum class Along : std::uint8_t { nothing, surface, twins };
 inline Along along(const AttributeHeader& header) {
+  if (header.attribute.domain == Domain::corner)
+    return header.coder == Coder::named ? Along::twins : Along::nothing;
   if (header.attribute.domain != Domain::vertex) return Along::nothing;
   if (header.in_planes())
     return header.predictor == Predictor::parallelogram ? Along::surface : Along::nothing;
@@ -86,9 +88,13 @@ inline AttributeInfo info_of(const AttributeHeader& header) {
   return info;
 }
 
-/// The surface that values of the attribute are predicted along: none, if they are not of vertices.
-inline CodedSurface surface_of(const Attribute& attribute, const CodedSurface& surface) {
-  return attribute.domain == Domain::vertex ? surface : CodedSurface{};
+/// The surface that values are predicted along: where it has the corners of all values, or their
+/// vertices.
+inline CodedSurface surface_of(const Attribute& attribute, std::size_t count,
+                               const CodedSurface& surface) {
+  const bool on_surface = attribute.domain == Domain::vertex ||
+                          (attribute.domain == Domain::corner && surface.corners.size() == count);
+  return on_surface ? surface : CodedSurface{};
 }
 
 inline void put_attribute_header(Bytes& out, const AttributeHeader& header) {

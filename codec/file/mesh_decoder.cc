@@ -156,12 +156,17 @@ std::uint64_t attribute_memory(const Attribute& what, std::uint64_t count) {
   return sizeof(Attribute) + what.name.size() + count * what.stride();
 }
 
+SurfaceSize surface_size(const PieceSections& s) {
+  if (s.features == feature::raw) return {s.vertices, s.corners};
+  return {s.connectivity.vertices, s.connectivity.faces};
+}
+
 /// What an attribute takes from when it is read until its values are there, and at most besides.
 struct ValuesMemory {
   std::uint64_t held, step;
 };
-ValuesMemory memory_of(const PieceSections::AttributeSection& a, std::uint64_t triangles) {
-  const AttributeMemory memory = decoding_memory(a.bytes, a.header, a.count, triangles);
+ValuesMemory memory_of(const PieceSections::AttributeSection& a, SurfaceSize surface) {
+  const AttributeMemory memory = decoding_memory(a.bytes, a.header, a.count, surface);
   const std::uint64_t result = attribute_memory(a.header.attribute, a.count);
   return {std::max(memory.begun, result) + sizeof(Expected<BegunAttribute>),
           std::max(memory.beginning, result + memory.finishing)};
@@ -215,7 +220,7 @@ PieceMemory memory_of(const PieceSections& s, Values values) {
     memory.values += held;
     std::uint64_t most = 0;
     for (const PieceSections::AttributeSection& a : s.attributes) {
-      const ValuesMemory values_memory = memory_of(a, s.connectivity.faces);
+      const ValuesMemory values_memory = memory_of(a, surface_size(s));
       memory.result += attribute_memory(a.header.attribute, a.count);
       memory.values += values_memory.held;
       most = std::max(most, values_memory.step);
@@ -239,7 +244,7 @@ unsigned workers_of(const PieceSections& sections, const PieceMemory& memory, un
   steps.reserve(attributes);
   std::uint64_t read = 0;
   for (const PieceSections::AttributeSection& a : sections.attributes) {
-    const ValuesMemory of_values = memory_of(a, sections.connectivity.faces);
+    const ValuesMemory of_values = memory_of(a, surface_size(sections));
     steps.push_back(of_values.step);
     read += of_values.held;
   }

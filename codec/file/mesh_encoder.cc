@@ -88,7 +88,7 @@ class MeshEncoder {
  private:
   Wanted wanted() const {
     for (const AttributeView a : mesh_.attributes)
-      if (a.domain == Domain::vertex && options_.level >= first_level_with_twins)
+      if (a.domain != Domain::face && options_.level >= first_level_with_twins)
         return Wanted::surface_with_twins;
     return mesh_.attributes.empty() && regular_.degenerate().empty() ? Wanted::nothing
                                                                      : Wanted::surface;
