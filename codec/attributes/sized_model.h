@@ -94,7 +94,7 @@ class SizedModel {
  private:
   /// What is known of a vertex: where it is; and the sizes of its residual in the plane and, times
   /// 2^16, across it. Sizes of a known vertex are not 0.
-  static bool known(const Record& r) { return r.at[3] != 0; }
+  static unsigned known(const Record& r) { return r.at[3] != 0; }
   static std::uint32_t sizes(const Record& r) { return static_cast<std::uint32_t>(r.at[3]); }
 
   /// As for_each_introduced, but corners 0 and 1 are looked at only where they may introduce.
@@ -161,13 +161,13 @@ class SizedModel {
                  &re = r[e], &ree = r[ee];
     if (!(known(ra) & known(rb) & known(rc))) [[unlikely]]
       return code_beside(coder, v, known(rb) ? b : known(ra) ? a : last_);
-    const bool left = known(rd) & known(rdd), right = known(re) & known(ree);
+    const unsigned left = known(rd) & known(rdd), right = known(re) & known(ree);
     const unsigned n = 1u + left + right;
 
     // Residuals of those around, and which way the plane is.
     std::uint32_t sum = sizes(ra) + sizes(rb) + sizes(rc);
-    sum += (sizes(rd) + sizes(rdd)) & (0u - static_cast<std::uint32_t>(left));
-    sum += (sizes(re) + sizes(ree)) & (0u - static_cast<std::uint32_t>(right));
+    sum += (sizes(rd) + sizes(rdd)) & (0u - left);
+    sum += (sizes(re) + sizes(ree)) & (0u - right);
     const Triple A(ra), B(rb), C(rc), D(rd), E(re);
     const std::array<std::int64_t, 3> normal = steps_.normal(B - A, B - C);
     const std::int64_t nx = std::abs(normal[0]), ny = std::abs(normal[1]), nz = std::abs(normal[2]);
