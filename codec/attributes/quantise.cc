@@ -16,6 +16,7 @@
 #include "codec/attributes/floating_maps.h"
 #include "codec/attributes/near_grid.h"
 #include "codec/attributes/number_maps.h"
+#include "codec/attributes/outliers.h"
 #include "codec/attributes/place_numbers.h"
 #include "codec/base/difference.h"
 #include "codec/base/portable.h"
@@ -35,28 +36,6 @@ std::vector<T> numbers_of(const AttributeView& a, std::size_t count, std::size_t
   for (std::size_t i = 0; i < count; ++i)
     std::memcpy(&numbers[i], a.value(i) + component * sizeof(T), sizeof(T));
   return numbers;
-}
-
-template <class T>
-struct Bounds {
-  T least = 0, greatest = 0;
-
-  double range() const { return difference(least, greatest); }
-  double largest() const {
-    return std::max(std::fabs(static_cast<double>(least)),
-                    std::fabs(static_cast<double>(greatest)));
-  }
-};
-
-/// Precondition: there are numbers, and all are finite.
-template <class T>
-Bounds<T> bounds_of(const std::vector<T>& numbers) {
-  Bounds<T> bounds{numbers.front(), numbers.front()};
-  for (const T x : numbers) {
-    bounds.least = std::min(bounds.least, x);
-    bounds.greatest = std::max(bounds.greatest, x);
-  }
-  return bounds;
 }
 
 Failure<Error> not_on_grid(const AttributeView& a, std::size_t i, const char* what) {
@@ -204,47 +183,6 @@ std::optional<NumberSystem> coarser_system(const std::vector<T>& numbers, double
                        [&](auto word) { return placing.place(word).exact; });
   });
   return has_all ? std::optional(found) : std::nullopt;
-}
-
-/// What is left of the range without the `few` least and the `few` greatest numbers.
-template <class T>
-Bounds<T> bounds_without(std::vector<T> numbers, std::size_t few) {
-  const auto low = numbers.begin() + static_cast<std::ptrdiff_t>(few),
-             high = numbers.end() - 1 - static_cast<std::ptrdiff_t>(few);
-  std::nth_element(numbers.begin(), low, numbers.end());
-  const T least = *low;
-  std::nth_element(low, high, numbers.end());
-  return {least, *high};
-}
-
-/// A thousandth of the values, or one, that make the longest side four times as long, or more.
-template <class T>
-std::optional<Outliers> outliers_of(const std::vector<std::vector<T>>& numbers, double longest,
-                                    int bits) {
-  const std::size_t count = numbers[0].size(), few = std::max<std::size_t>(1, count / 1000);
-  if (count < 16 || longest == 0) return std::nullopt;
-  std::vector<Bounds<T>> without;
-  double side = 0;
-  for (const std::vector<T>& component : numbers) {
-    without.push_back(bounds_without(component, few));
-    side = std::max(side, without.back().range());
-  }
-  if (longest < 4 * side) return std::nullopt;
-  Outliers found;
-  double farthest = 0;
-  for (std::size_t c = 0; c < numbers.size(); ++c)
-    for (std::size_t i = 0; i < count; ++i) {
-      const T x = numbers[c][i];
-      const double beyond = x < without[c].least      ? difference(x, without[c].least)
-                            : x > without[c].greatest ? difference(x, without[c].greatest)
-                                                      : 0;
-      if (beyond <= farthest) continue;
-      farthest = beyond;
-      found.farthest = i;
-    }
-  found.bits = bits;
-  for (double saved = longest; found.bits > 0 && saved >= 2 * side; saved /= 2) --found.bits;
-  return found;
 }
 
 template <class T>

@@ -12,17 +12,12 @@
 #include <vector>
 
 #include "codec/attributes/attribute_encoder.h"
+#include "codec/attributes/outliers.h"
 #include "codec/error.h"
 #include "codec/mesh_view.h"
 #include "codec/precision.h"
 
 namespace clers::internal {
-
-/// A few values that make the grid of all others coarse.
-struct Outliers {
-  std::uint64_t farthest = 0;  ///< which value
-  int bits = 0;                ///< that are as good without them
-};
 
 struct QuantisedValues {
   /// Has no systems, and no error, where all values stay as they are, bit for bit.

@@ -36,7 +36,7 @@ Attribute floats(const char* name, Domain domain, std::uint8_t components,
 
 std::vector<float> values_of(const Attribute& a) {
   std::vector<float> values(a.data.size() / sizeof(float));
-  std::memcpy(values.data(), a.data.data(), a.data.size());
+  if (!values.empty()) std::memcpy(values.data(), a.data.data(), a.data.size());
   return values;
 }
 
