@@ -8,7 +8,7 @@
 // What k leaves open (low bits, digits or bits that only small values have, ulps, the sign of
 // zero) are refinements; values that the system does not have are strays. Both are stored apart.
 // The maps are a few operations on integers, or correctly rounded ones on doubles, so that they
-// give the same on every machine (format.md).
+// give the same on every machine (codec/format-values.md).
 #ifndef CLERS_CODEC_ATTRIBUTES_NUMBER_SYSTEM_H
 #define CLERS_CODEC_ATTRIBUTES_NUMBER_SYSTEM_H
 
