@@ -32,10 +32,10 @@ struct Encoded {
 /// come back.
 ///
 /// The same input and options give the same bytes on any compiler and machine, with any number of
-/// threads, by one version of this library and, where there are attributes or metadata, of zstd.
-/// Other versions may give other bytes. A library decodes one version of the format
-/// (codec/format.md), its own, and refuses others with unsupported_version: before 1.0 any release
-/// may have a new one.
+/// threads, by one version of this library and, where there is metadata, or attributes from level 5
+/// on, of zstd. Other versions may give other bytes. A library decodes one version of the format
+/// (codec/format.md, codec/format-values.md), its own, and refuses others with unsupported_version:
+/// before 1.0 any release may have a new one.
 ///
 /// A manifold mesh as it was decoded encodes to the same bytes again, if it is in one piece, or if
 /// no two positions coincide and its pieces are manifold too. Other meshes may not: where they are
@@ -50,7 +50,10 @@ struct Encoded {
 /// Cost: linear in the faces, O(log n) a handle, and sorts of non-manifold edges, of degenerate
 /// faces and of the patches that pieces are made of. Of the arrays of the mesh, 16-bit corners are
 /// copied (4 bytes each), and the values of one attribute a thread; a mesh in pieces is copied
-/// piece by piece. Values that are quantised are copied three times before that.
+/// piece by piece. Values that are quantised are copied three times before that. To code values
+/// takes 4 bytes a component, 8 where the integers that they become need more than 29 bits, several
+/// times; from level 5 on 12 bytes a triangle where vertices or corners have values, for which
+/// sides are the same edge, and at level 9 some hundred bytes a vertex.
 Expected<Encoded> encode(const MeshView& mesh, const EncodeOptions& options = {});
 
 /// Encodes several meshes into one file. Errors say which mesh.

@@ -42,7 +42,8 @@ struct AttributeInfo {
   std::uint8_t components = 1;
   std::uint64_t count = 0;  ///< values
   std::uint64_t bytes = 0;  ///< compressed
-  /// How values became integers, and what coded these, for people: "3 decimals", "grid of 14 bits".
+  /// What values have in common, by which they became integers, and what coded these, for people:
+  /// "3 decimals", "steps of 0.01", "float, 24 bits"; "sized", "named". Of the first piece.
   std::string numbers, coder;
   /// By how much a component of its values was changed at most. 0: they come back bit for bit.
   double error = 0;
