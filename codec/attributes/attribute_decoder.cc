@@ -46,10 +46,15 @@ std::span<const std::byte> integers_of(std::span<const std::byte> bytes,
   return bytes.subspan(header.bytes + static_cast<std::size_t>(header.numbers_size));
 }
 
+/// What stands before that.
+std::span<const std::byte> numbers_of(std::span<const std::byte> bytes,
+                                      const AttributeHeader& header) {
+  return bytes.subspan(header.bytes, static_cast<std::size_t>(header.numbers_size));
+}
+
 Expected<NumberReader> read_numbers(std::span<const std::byte> bytes, std::uint64_t at,
                                     const AttributeHeader& header, std::uint64_t count) {
-  const auto part = bytes.subspan(header.bytes, static_cast<std::size_t>(header.numbers_size));
-  ByteReader in(part, at + header.bytes);
+  ByteReader in(numbers_of(bytes, header), at + header.bytes);
   auto numbers =
       NumberReader::read(in, header.attribute.scalar, header.attribute.components, count);
   if (numbers && in.left() > 0)
@@ -169,7 +174,9 @@ AttributeMemory decoding_memory(std::span<const std::byte> bytes, const Attribut
   if (header.coder == Coder::words) return {size, size, 0};
   const std::uint64_t integers = count * header.attribute.components *
                                  (header.narrow ? sizeof(std::int32_t) : sizeof(std::int64_t)),
-                      numbers = NumberReader::memory(header.attribute.components, count);
+                      numbers =
+                          NumberReader::memory(numbers_of(bytes, header), header.attribute.scalar,
+                                               header.attribute.components, count);
   if (header.begins_without_faces())
     return {numbers + integers,
             header.coder == Coder::planes ? integers

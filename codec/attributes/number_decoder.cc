@@ -131,7 +131,8 @@ Expected<NumberReader> NumberReader::read(ByteReader& in, Scalar scalar, std::si
     auto column = read_column(in, scalar, count, systems.empty() ? nullptr : &systems.back());
     if (!column) return Failure{column.error()};
     Part part = {column->coding, column->refined_palette, {}, 0, {}};
-    if (!column->axis.palette.empty()) {
+    if (column->entries > 0) {
+      column->axis.palette.resize(static_cast<std::size_t>(column->entries));
       const Stream stream = read_stream(in, {});
       if (!in.ok()) return Failure{in.error()};
       const auto done = decode_stream(stream, "the palette", [&](auto& coder) {
@@ -156,12 +157,30 @@ Expected<NumberReader> NumberReader::read(ByteReader& in, Scalar scalar, std::si
   return reader;
 }
 
-std::uint64_t NumberReader::memory(std::size_t components, std::uint64_t count) {
+std::uint64_t NumberReader::memory(std::span<const std::byte> bytes, Scalar scalar,
+                                   std::size_t components, std::uint64_t count) {
   constexpr std::uint64_t of_component = sizeof(NumberSystem) + sizeof(Axis) + sizeof(Part);
-  // Entries of palettes, while one of them has its words too
-  return components * (of_component + count / 2 * 8) + count / 2 * 8 +
-         RefinementCoder<PrintedMap<double>>::memory();
+  std::uint64_t entries = 0, most = 0;
+  bool refined = false;
+  ByteReader in(bytes, 0);
+  NumberSystem before;
+  for (std::size_t c = 0; c < components; ++c) {
+    const auto column = read_column(in, scalar, count, c == 0 ? nullptr : &before);
+    if (!column) break;  // as read() will
+    before = column->system;
+    entries += column->entries;
+    most = std::max(most, column->entries);
+    refined |= has_refinements(column->system);
+    if (column->entries > 0) read_stream(in, {});
+    if (has_refinements(column->system)) read_stream(in, {});
+    std::uint64_t strays = 0;
+    if (column->has_strays) read_stream(in, {&strays});
+  }
+  // Entries of palettes, while one of them has its words too.
+  return components * of_component + 8 * (entries + most) +
+         (refined ? RefinementCoder<PrintedMap<double>>::memory() : 0);
 }
+
 template <class Int>
 Expected<Done> NumberReader::make_values(std::span<const Int> rows,
                                          std::span<std::byte> values) const {

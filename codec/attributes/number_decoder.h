@@ -25,8 +25,10 @@ class NumberReader {
 
   const Numbers& numbers() const { return numbers_; }
 
-  /// What read() and to_values() take besides the values, at most.
-  static std::uint64_t memory(std::size_t components, std::uint64_t count);
+  /// What read() of these bytes and to_values() take besides the values, at most. Takes none
+  /// itself.
+  static std::uint64_t memory(std::span<const std::byte> bytes, Scalar scalar,
+                              std::size_t components, std::uint64_t count);
 
   /// Makes values of rows: packed, in native order. Precondition: every integer is in 0 .. top.
   /// Errors: invalid.

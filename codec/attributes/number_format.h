@@ -26,6 +26,7 @@ enum class RefinementCoding : std::uint8_t {
 struct NumberColumn {
   NumberSystem system;
   Axis axis;
+  std::uint64_t entries = 0;  ///< of the palette, where that is not read yet
   RefinementCoding coding = RefinementCoding::bits;
   /// Refinements are those of the palette's entries, not of each value.
   bool refined_palette = false;
@@ -197,7 +198,7 @@ inline void put_column(Bytes& out, const NumberColumn& column, const NumberSyste
   if (s.map == NumberMap::digits || s.map == NumberMap::binary) put_signed_varint(out, s.exponent);
 }
 
-/// Reads what put_column wrote. The palette has its size, and zeros. Errors: truncated, invalid.
+/// Reads what put_column wrote. The palette is empty. Errors: truncated, invalid.
 inline Expected<NumberColumn> read_column(ByteReader& in, Scalar scalar, std::uint64_t count,
                                           const NumberSystem* before) {
   const std::uint64_t at = in.offset();
@@ -215,6 +216,7 @@ inline Expected<NumberColumn> read_column(ByteReader& in, Scalar scalar, std::ui
   column.axis.top = in.varint();
   const std::uint64_t scale = (kind & column_kind::scaled) != 0 ? in.varint() : 1;
   const std::uint64_t entries = (flags & palette) != 0 ? in.varint() : 0;
+  column.entries = entries;
   if (known && before != nullptr) s = *before;
   s.map = static_cast<NumberMap>(kind & column_kind::map);
   s.signed_zero = (flags & signed_zero) != 0;
@@ -253,7 +255,6 @@ inline Expected<NumberColumn> read_column(ByteReader& in, Scalar scalar, std::ui
     return invalid(fault);
   if ((flags & palette) != 0 && (entries == 0 || entries > count / 2 || entries > column.axis.top))
     return invalid("a palette of " + std::to_string(entries));
-  column.axis.palette.resize(static_cast<std::size_t>(entries));
   return column;
 }
 

@@ -408,7 +408,8 @@ void expect_fair(const std::vector<Mesh>& meshes, EncodeOptions options) {
     SCOPED_TRACE(name);
     const Outcome o = run(call, {}, 1);
     if (std::string_view(name) == "sizes" || !o.ok) continue;  // not triangles, too many vertices
-    EXPECT_LE(needed(call), 3 * o.peak + 3 * MB / 4);
+    // Models take up to a MB, however few the values.
+    EXPECT_LE(needed(call), 3 * o.peak + 3 * MB / 2);
   }
 }
 

@@ -86,18 +86,18 @@ TEST(Strict, ValuesAreOneFrame) {
   const Bytes none = test::zstd_frame({});
   const Payload secret = std::move(
       Payload().u8(0x50).u8(0x2a).u8(0x4d).u8(0x18).u8(7).u8(0).u8(0).u8(0).text("secret!"));
-  const std::string after = "byte " + std::to_string(29 + frame.size()) + ": ";
+  const std::string after = "byte " + std::to_string(30 + frame.size()) + ": ";
   expect_invalid(file(Payload().raw(frame).raw(secret.bytes)),
                  (after + "15 bytes after the zstd frame of the values").c_str());
   expect_invalid(
       file(Payload().raw(frame).raw(none)),
       (after + std::to_string(none.size()) + " bytes after the zstd frame of the values").c_str());
   expect_invalid(file(Payload().raw(secret.bytes).raw(frame)),
-                 "byte 29: no zstd frame, which the values must be");
+                 "byte 30: no zstd frame, which the values must be");
   expect_invalid(file(Payload().raw(std::span(frame).first(frame.size() - 1))),
-                 "byte 29: zstd: Src size is incorrect");
+                 "byte 30: zstd: Src size is incorrect");
   const Bytes fewer = test::zstd_frame(std::span(values).first(3));
-  expect_invalid(file(Payload().raw(fewer)), "byte 29: the values take 3 bytes, expected 4");
+  expect_invalid(file(Payload().raw(fewer)), "byte 30: the values take 3 bytes, expected 4");
 }
 
 TEST(Strict, NoValuesAreAFrameToo) {
@@ -110,7 +110,7 @@ TEST(Strict, NoValuesAreAFrameToo) {
         .finish();
   };
   EXPECT_TRUE(decode(file(test::zstd_frame({}))).ok());
-  expect_invalid(file({}), "byte 27: no zstd frame, which the values must be");
+  expect_invalid(file({}), "byte 28: no zstd frame, which the values must be");
 }
 
 TEST(Strict, NamesOfAttributes) {
