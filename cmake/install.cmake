@@ -52,7 +52,7 @@ if(CLERS_CLI)
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
   install(FILES codec/cli/completion/_clers DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 endif()
-install(FILES LICENSE codec/format.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE codec/format.md codec/format-values.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # Before 1.0 a minor version may break.
 set_target_properties(clers_codec clers_topology clers_modeling PROPERTIES
