@@ -24,8 +24,8 @@ namespace clers::internal {
 enum class Coder : std::uint8_t {
   words = 0,    ///< the words that values are stored as, by planes (planes.h)
   planes = 1,   ///< all others write integers (lattice.h): by planes too,
-  ordered = 2,  ///< by static shares, along the order of triangles (levels 1, 3)
-  sized = 3,    ///< positions by contexts of sizes (levels 5, 7)
+  ordered = 2,  ///< by static shares, along the order of triangles (any level)
+  sized = 3,    ///< positions by contexts of sizes (levels 5 to 9)
   mixed = 4,    ///< positions by experts, mixed (level 9)
   named = 5,    ///< anything else by contexts of sizes (levels 5 to 9)
 };

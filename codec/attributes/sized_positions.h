@@ -1,5 +1,5 @@
 // Positions <-> bytes: residuals from parallelograms, in contexts of how large residuals are around
-// (levels 5 to 8). codec/format-values.md, Residuals in contexts.
+// (levels 5 to 9). codec/format-values.md, Residuals in contexts.
 #ifndef CLERS_CODEC_ATTRIBUTES_SIZED_POSITIONS_H
 #define CLERS_CODEC_ATTRIBUTES_SIZED_POSITIONS_H
 
