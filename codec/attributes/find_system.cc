@@ -53,7 +53,11 @@ class Finder {
     std::stable_sort(proposed_.begin(), proposed_.end(),
                      [](const Proposal& a, const Proposal& b) { return a.cost < b.cost; });
     proposed_.resize(std::min(proposed_.size(), finalists));
-    for (Proposal& p : proposed_) p.cost = cost_of<T>(p.system, sample_);
+    for (Proposal& p : proposed_) {
+      p.cost = cost_of<T>(p.system, sample_);
+      // Words are no lengths, which predictions may know more of than the number before tells.
+      if (p.system.map == NumberMap::word) p.cost += p.cost / 16;
+    }
     return std::min_element(proposed_.begin(), proposed_.end(),
                             [](const Proposal& a, const Proposal& b) { return a.cost < b.cost; })
         ->system;
