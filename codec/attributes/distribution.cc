@@ -40,12 +40,12 @@ std::int16_t rounded(std::int64_t log, int most) {
 
 }  // namespace
 
-const Distribution& Distribution::tables() {
-  static const Distribution made;
+const MissDistribution& MissDistribution::tables() {
+  static const MissDistribution made;
   return made;
 }
 
-Distribution::Distribution() {
+MissDistribution::MissDistribution() {
   constexpr std::uint64_t narrow_step = 18174947447501393395u, wide_step = 18346138785377041030u;
   constexpr std::uint64_t narrow_part = 15679732462653118874u;  // .85
   constexpr std::uint64_t wide_part = 2767011611056432742u;     // .15

@@ -12,14 +12,14 @@ namespace clers::internal {
 
 /// Density .85 f(1.9 z) 1.9 + .15 f(.7 z) .7, where f is the logistic density. z is in 1/128,
 /// within -most .. most.
-class Distribution {
+class MissDistribution {
  public:
   static constexpr int unit = 128;  ///< of z
   static constexpr int most = 24 * unit;
   static constexpr int max_logit = 2815;  ///< as in entropy/logistic.h
 
   /// The tables, made once.
-  static const Distribution& tables();
+  static const MissDistribution& tables();
 
   /// ln of the probability of at least z, in 1/4096.
   int survival(int z) const { return survival_[static_cast<std::size_t>(z + most)]; }
@@ -33,7 +33,7 @@ class Distribution {
   int log_density(int z) const { return density_[static_cast<std::size_t>(z < 0 ? -z : z)]; }
 
  private:
-  Distribution();
+  MissDistribution();
   static constexpr unsigned fine = 2048, odds_size = fine + 1536;
   std::array<std::int32_t, 2 * most + 1> survival_;
   std::array<std::int16_t, most + 1> density_;

@@ -189,7 +189,7 @@ class Finder {
   void propose_with_ulps(NumberSystem s) {
     with_map<T>(s, Scalar::float64, [&](const auto& map) {
       if constexpr (!std::decay_t<decltype(map)>::has_choices) {
-        Shares<256> off;
+        Histogram<256> off;
         const std::int64_t most = most_integer<T>(s);
         for (const U word : sample_.words) {
           const std::int64_t k = nearest_step(s, std::clamp(map.locate(word).n, -most, most));

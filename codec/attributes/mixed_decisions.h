@@ -40,8 +40,9 @@ class Gauge {
   Distances operator()(std::int64_t place) const {
     Distances z;
     for (unsigned i = 0; i < present_; ++i)
-      z[i] = static_cast<std::int32_t>(std::clamp<std::int64_t>(
-          (place - mean_[i]) * mantissa_[i] >> shift_[i], -Distribution::most, Distribution::most));
+      z[i] = static_cast<std::int32_t>(
+          std::clamp<std::int64_t>((place - mean_[i]) * mantissa_[i] >> shift_[i],
+                                   -MissDistribution::most, MissDistribution::most));
     return z;
   }
 
@@ -192,7 +193,7 @@ class ComponentCoder {
   const Ruler& ruler_;
   Gauge gauge_;
   unsigned present_;
-  const Distribution& tables_ = Distribution::tables();
+  const MissDistribution& tables_ = MissDistribution::tables();
   std::array<int, experts> above_, below_;  ///< ln of the probability to be on that side of low_
   std::int64_t middle_ = 0, low_ = 0, high_ = 0, low_edge_ = 0, high_edge_ = 0;
   int low_bits_ = 0;

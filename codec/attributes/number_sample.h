@@ -36,7 +36,7 @@ NumberSample<U> sample_of(std::span<const U> words, std::size_t runs, std::size_
 
 /// How often 0 .. Size - 1 occurs.
 template <std::size_t Size>
-class Shares {
+class Histogram {
  public:
   void add(std::size_t i) { ++counts_[std::min(i, Size - 1)], ++total_; }
   /// The least i so that at most one of `in` is above it.
@@ -93,12 +93,12 @@ struct SampleLooks {
     top = magnitudes[magnitudes.size() - 1 - magnitudes.size() / 500];
   }
 
-  std::vector<double> sorted;                ///< about a thousand finite ones
-  U top = 0;                                 ///< the greatest magnitude but for a few
-  bool minus_zero = false;                   ///< whether -0.0 is among them
-  Shares<no_decimals + 1> decimals, digits;  ///< of all but 0
-  Shares<61> lowest_bits;                    ///< how far behind the point they are
-  Shares<64> bits;                           ///< from the highest to the lowest
+  std::vector<double> sorted;                   ///< about a thousand finite ones
+  U top = 0;                                    ///< the greatest magnitude but for a few
+  bool minus_zero = false;                      ///< whether -0.0 is among them
+  Histogram<no_decimals + 1> decimals, digits;  ///< of all but 0
+  Histogram<61> lowest_bits;                    ///< how far behind the point they are
+  Histogram<64> bits;                           ///< from the highest to the lowest
 
  private:
   void add_decimal(U m) {

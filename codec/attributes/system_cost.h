@@ -19,7 +19,7 @@ namespace clers::internal {
 using Cost = std::uint64_t;
 
 /// log2(n), with a linear mantissa: the same on every machine, and near enough. n >= 1.
-inline Cost log2_of(std::uint64_t n) {
+inline Cost log2_about(std::uint64_t n) {
   const auto exponent = static_cast<unsigned>(std::bit_width(n)) - 1;
   const std::uint64_t mantissa = exponent >= 8 ? n >> (exponent - 8) : n << (8 - exponent);
   return Cost(exponent) * 256 + (mantissa - 256);
@@ -31,7 +31,7 @@ inline Cost entropy_of(std::span<const std::uint64_t> counts) {
   for (const std::uint64_t n : counts) total += n;
   Cost cost = 0;
   for (const std::uint64_t n : counts)
-    if (n > 0) cost += n * (log2_of(total) - log2_of(n)) + 1024;
+    if (n > 0) cost += n * (log2_about(total) - log2_about(n)) + 1024;
   return cost;
 }
 
@@ -78,7 +78,7 @@ Cost cost_of(const NumberSystem& s, const NumberSample<WordOf<T>>& sample) {
       if constexpr (Map::has_choices) {
         const Choices all = map.choices(integer_of(s, k, 0));
         if (all.wide) ++choices[p.choice == 0];
-        if (!all.wide || p.choice != 0) cost += log2_of(all.count);
+        if (!all.wide || p.choice != 0) cost += log2_about(all.count);
       } else if (choices_of(s, map, integer_of(s, k, 0)).count > 1) {
         const auto bits = static_cast<unsigned>(std::bit_width(p.choice + 1) - 1) % 16;
         ++choices[bits];

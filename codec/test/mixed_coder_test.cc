@@ -219,8 +219,8 @@ TEST(FixedPoint, IsNearTheTruth) {
   EXPECT_EQ(fixed::multiply_high(~std::uint64_t(0), ~std::uint64_t(0)), ~std::uint64_t(1));
 }
 
-TEST(Distribution, IsNearTheTruth) {
-  const Distribution& tables = Distribution::tables();
+TEST(MissDistribution, IsNearTheTruth) {
+  const MissDistribution& tables = MissDistribution::tables();
   const auto survival = [](double z) {
     return .85 / (1 + std::exp(1.9 * z)) + .15 / (1 + std::exp(.7 * z));
   };
@@ -231,11 +231,11 @@ TEST(Distribution, IsNearTheTruth) {
   const auto density = [&](double z) { return .85 * logistic(1.9, z) + .15 * logistic(.7, z); };
   const auto limited = [](double logit) { return std::clamp(256 * logit, -2815., 2815.); };
   const int top = tables.log_density(0);
-  for (int z = -Distribution::most; z <= Distribution::most; ++z) {
+  for (int z = -MissDistribution::most; z <= MissDistribution::most; ++z) {
     const double x = z / 128.;
     EXPECT_NEAR(tables.survival(z), 4096 * std::log(survival(x)), 1.1);
     EXPECT_NEAR(tables.log_density(z) - top, 256 * std::log(density(x) / density(0)), 1.6);
-    for (int to = z + 3; to <= std::min(z + 700, Distribution::most); to += 41) {
+    for (int to = z + 3; to <= std::min(z + 700, MissDistribution::most); to += 41) {
       const double r = std::log(survival(x) / survival(to / 128.));
       if (r < .02) continue;
       EXPECT_NEAR(tables.odds(tables.survival(z) - tables.survival(to)),
