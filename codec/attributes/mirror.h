@@ -29,7 +29,7 @@
 
 namespace clers::internal {
 
-using MirrorPlane = Symmetry;
+
 
 /// The symmetry that most vertices can be predicted by, if at least a twentieth can: worth coding
 /// with. Cost: linear, but for sorting; bounded where many coordinates are equal. Throws

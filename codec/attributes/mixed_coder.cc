@@ -17,7 +17,7 @@ using namespace mixed;
 /// Returns what is wrong.
 template <class Coder, class Int>
 std::string code_all(Coder& coder, const CodedSurface& surface, const Lattice<Int>& lattice,
-                     const std::optional<MirrorPlane>& plane, const Originals* originals) {
+                     const std::optional<Symmetry>& plane, const Originals* originals) {
   Model<Int> model(surface, lattice, plane, originals);
   Star star;
   const Stars stars(surface);
@@ -51,7 +51,7 @@ std::string code_all(Coder& coder, const CodedSurface& surface, const Lattice<In
 
 template <class Int>
 Bytes encode_mixed(const CodedSurface& surface, const Lattice<Int>& lattice) {
-  const std::optional<MirrorPlane> plane = find_mirror(lattice);
+  const std::optional<Symmetry> plane = find_mirror(lattice);
   const Originals originals = find_originals(surface);
   const bool copies = originals.count > 0 && copies_pay(surface, originals, lattice);
   Bytes bytes;

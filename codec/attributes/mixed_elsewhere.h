@@ -59,7 +59,7 @@ class Trust {
 template <class Int>
 class ImageExpert {
  public:
-  ImageExpert(const MirrorPlane& plane, const Space& space, std::span<const Axis> axes,
+  ImageExpert(const Symmetry& plane, const Space& space, std::span<const Axis> axes,
               const Int* rows, std::size_t vertices, const CodedSurface& surface, int first)
       : mirror_(plane, rows, vertices, surface),
         space_(&space),
@@ -113,10 +113,11 @@ class ImageExpert {
   /// From a vertex to the image of its partner; as usual, if it has none.
   Vector mismatch(const Points<Int>& point, std::uint32_t v, const Surroundings& at,
                   int across) const {
-    const std::uint32_t w = mirror_.partner(v);
     const std::int64_t usual = at.length(across);
-    if (w == Mirror<Int>::nobody) return {{usual, usual, usual}};
-    return at.frame.scaled(image(w) - point(v));
+    if (mirror_.partner(v) == Mirror<Int>::nobody) return {{usual, usual, usual}};
+    const Row row = {mirror_.partner_image(v, 0), mirror_.partner_image(v, 1),
+                     mirror_.partner_image(v, 2)};
+    return at.frame.scaled(space_->point(row.data()) - point(v));
   }
   /// What of a vector is not along the mirrored axis.
   Vector beside(Vector d) const {

@@ -29,7 +29,7 @@ template <class Int>
 class Model {
  public:
   Model(const CodedSurface& surface, const Lattice<Int>& lattice,
-        const std::optional<MirrorPlane>& plane, const Originals* originals)
+        const std::optional<Symmetry>& plane, const Originals* originals)
       : rows_(lattice.rows.data()),
         axes_(lattice.axes),
         space_(axes_),
