@@ -235,7 +235,7 @@ check "a pipe closed early" test "$status" -eq 5 -a ! -s err  # who reads has se
 ends "a file too large" 5 "old.clers: File too large"
 check "leaves the old one" cmp -s old.clers grid.clers
 no_leftovers "a failed write"
-if [ "$(id -u)" -eq 0 ] && mkdir small && mount -t tmpfs -o size=24k tmpfs small 2>/dev/null; then
+if [ "$(id -u)" -eq 0 ] && mkdir small && mount -t tmpfs -o size=8k tmpfs small 2>/dev/null; then
   cp grid.clers small/old.clers
   run encode -f big.obj -o small/old.clers; ends "a full disk" 5 "No space left"
   check "leaves the old file" cmp -s small/old.clers grid.clers
