@@ -81,8 +81,9 @@ inline Expected<PackedPlanes> pack_planes(std::span<const std::byte> words, Word
   for (const Predictor predictor : candidates) {
     with_word(shape.scalar, [&](auto word) {
       using U = decltype(word);
-      subtract_predictions<U>(predictor, count, shape.components, surface, words.data(),
-                              residuals.data());
+      with_components(shape.components, [&](auto n) {
+        subtract_predictions<U>(predictor, count, n, surface, words.data(), residuals.data());
+      });
       to_planes<U>(residuals, shape.components, planes);
     });
     std::size_t size = 0;
