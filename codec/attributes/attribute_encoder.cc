@@ -1,6 +1,7 @@
 // Finds numbers, tries the coders that a level affords, and keeps what takes least.
 #include "codec/attributes/attribute_encoder.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
@@ -83,6 +84,14 @@ class AttributeEncoder {
     best_.info.numbers = std::move(words);
   }
 
+  /// What a quick zstd may make of planes so that a slower one may be better than the best, where
+  /// `besides` bytes are needed: a sixteenth more. Higher levels try all.
+  std::size_t most_quick(std::size_t besides) const {
+    if (level_ >= 7) return no_bound;
+    const std::size_t most = best_.bytes.size() + best_.bytes.size() / 16;
+    return most - std::min(most, besides);
+  }
+
   template <class Int>
   Expected<Done> integers(const NumberedValues& numbered, std::vector<Int>& rows) {
     const std::vector<Axis>& axes = numbered.numbers.axes;
@@ -107,17 +116,20 @@ class AttributeEncoder {
     const Lattice<const Int> ranks{rows, ranked};
     take(Coder::ordered, encode_ordered(ranks, of_vertices ? surface_ : CodedSurface{}, level_));
     if (level_ < 5) return Done{};
-    auto packed = pack_integers(ranks, predictors_, surface_, zstd_level(level_));
+    auto packed = pack_integers(ranks, predictors_, surface_, zstd_level(level_),
+                                most_quick(numbered.bytes.size()));
     if (!packed) return Failure{packed.error()};
-    consider(Coder::planes, packed->predictor, numbered.bytes, packed->frame, words);
+    if (!packed->frame.empty())
+      consider(Coder::planes, packed->predictor, numbered.bytes, packed->frame, words);
     return Done{};
   }
 
   Expected<Done> words() {
     const WordShape shape{attribute_.scalar, attribute_.components};
-    auto packed =
-        pack_planes(words_of(attribute_), shape, predictors_, surface_, zstd_level(level_));
+    auto packed = pack_planes(words_of(attribute_), shape, predictors_, surface_,
+                              zstd_level(level_), most_quick(0));
     if (!packed) return Failure{packed.error()};
+    if (packed->frame.empty()) return Done{};
     consider(Coder::words, packed->predictor, {}, packed->frame, words_text);
     return Done{};
   }

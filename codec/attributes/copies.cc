@@ -12,7 +12,19 @@ struct Component {
   std::uint32_t index, first, count;  ///< vertices in the order of introduction
 };
 
+bool begins_component(const CodedSurface& surface, std::uint32_t t) {
+  const HalfEdge across = surface.twins[3 * std::size_t(t)];
+  return !across || left(across).index() >= t;
+}
+
 }  // namespace
+
+std::size_t component_count(const CodedSurface& surface) {
+  std::size_t count = 0;
+  for (std::uint32_t t = 0; t < surface.twins.size() / 3; ++t)
+    count += begins_component(surface, t);
+  return count;
+}
 
 Originals find_originals(const CodedSurface& surface) {
   constexpr std::uint32_t none = Originals::none;
@@ -26,16 +38,10 @@ Originals find_originals(const CodedSurface& surface) {
   std::vector<std::uint32_t> order;
   order.reserve(vertices);
   const auto triangles = static_cast<std::uint32_t>(surface.corners.size() / 3);
-  const auto begins = [&](std::uint32_t t) {
-    const HalfEdge across = surface.twins[3 * std::size_t(t)];
-    return !across || left(across).index() >= t;
-  };
-  std::size_t count = 0;
-  for (std::uint32_t t = 0; t < triangles; ++t) count += begins(t);
   std::vector<Component> components;
-  components.reserve(count);
+  components.reserve(component_count(surface));
   for (std::uint32_t t = 0; t < triangles; ++t) {
-    if (begins(t))
+    if (begins_component(surface, t))
       components.push_back({0, static_cast<std::uint32_t>(components.size()),
                             static_cast<std::uint32_t>(order.size()), 0});
     Component& component = components.back();

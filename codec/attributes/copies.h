@@ -35,6 +35,9 @@ struct Originals {
   std::size_t count = 0;                 ///< vertices that have an original
 };
 
+/// How many components a surface has, as coded; 0 without twins. Those of one have no originals.
+std::size_t component_count(const CodedSurface& surface);
+
 /// Without twins no vertex has an original. Cost: linear, but for sorting components. Throws
 /// std::bad_alloc only.
 Originals find_originals(const CodedSurface& surface);

@@ -33,9 +33,10 @@ template <class T>
 class Finder {
  public:
   using U = WordOf<T>;
-  explicit Finder(std::span<const U> words)
-      : sample_(sample_of(words, 64, 64)),
-        few_(sample_of(std::span<const U>(sample_.words), 16, 32)),
+  Finder(std::span<const U> words, Search search)
+      : sample_(search == Search::quick ? sample_of(words, 16, 32) : sample_of(words, 64, 64)),
+        few_(search == Search::quick ? sample_of(std::span<const U>(sample_.words), 8, 16)
+                                     : sample_of(std::span<const U>(sample_.words), 16, 32)),
         looks_(sample_.words) {
     U greatest = 0;
     for (const U word : words)
@@ -53,14 +54,17 @@ class Finder {
     std::stable_sort(proposed_.begin(), proposed_.end(),
                      [](const Proposal& a, const Proposal& b) { return a.cost < b.cost; });
     proposed_.resize(std::min(proposed_.size(), finalists));
-    for (Proposal& p : proposed_) {
-      p.cost = cost_of<T>(p.system, sample_);
+    NumberSystem best;
+    Cost least = ~Cost(0);
+    for (const Proposal& p : proposed_) {
+      Cost cost = cost_of<T>(p.system, sample_, least);
       // Words are no lengths, which predictions may know more of than the number before tells.
-      if (p.system.map == NumberMap::word) p.cost += p.cost / 16;
+      if (p.system.map == NumberMap::word) cost += cost / 16;
+      if (cost >= least) continue;
+      least = cost;
+      best = p.system;
     }
-    return std::min_element(proposed_.begin(), proposed_.end(),
-                            [](const Proposal& a, const Proposal& b) { return a.cost < b.cost; })
-        ->system;
+    return best;
   }
 
  private:
@@ -77,11 +81,21 @@ class Finder {
     if (std::any_of(proposed_.begin(), proposed_.end(),
                     [&](const Proposal& p) { return p.system == s; }))
       return;
-    proposed_.push_back({s, cost_of<T>(s, few_)});
+    proposed_.push_back({s, cost_of<T>(s, few_, limit())});
     if (!s.signed_zero && looks_.minus_zero && !has_refinements(s) && s.map != NumberMap::word) {
       s.signed_zero = true;
       propose(s);
     }
+  }
+
+  /// What a system may cost to be among the finalists yet.
+  Cost limit() {
+    if (proposed_.size() < finalists) return ~Cost(0);
+    std::vector<Cost>& costs = costs_;
+    costs.clear();
+    for (const Proposal& p : proposed_) costs.push_back(p.cost);
+    std::nth_element(costs.begin(), costs.begin() + (finalists - 1), costs.end());
+    return costs[finalists - 1];
   }
 
   void propose_decimals() {
@@ -112,6 +126,8 @@ class Finder {
     s.map = NumberMap::quotient;
     s.divisor = divisor;
     if (divisor > std::uint64_t(most_exact)) return;
+    if (std::find(divisors_.begin(), divisors_.end(), divisor) != divisors_.end()) return;
+    divisors_.push_back(divisor);
     propose(s);
     const QuotientMap<T> map(s, Scalar::float64);
     std::vector<std::int64_t> ns;
@@ -190,18 +206,22 @@ class Finder {
     with_map<T>(s, Scalar::float64, [&](const auto& map) {
       if constexpr (!std::decay_t<decltype(map)>::has_choices) {
         Histogram<256> off;
+        constexpr std::size_t most_ulps = 16, most_in = 20;
+        std::size_t too_far = 0;
         const std::int64_t most = most_integer<T>(s);
         for (const U word : sample_.words) {
           const std::int64_t k = nearest_step(s, std::clamp(map.locate(word).n, -most, most));
           const std::int64_t n =
               std::clamp(s.first + k * static_cast<std::int64_t>(s.step), -most, most);
           const U d = zigzag(static_cast<U>(key_of<T>(word) - key_of<T>(map.word(n, 0))));
-          off.add(
-              static_cast<std::size_t>(std::min<std::uint64_t>((std::uint64_t(d) + 1) / 2, 255)));
+          const std::uint64_t ulps = (std::uint64_t(d) + 1) / 2;
+          too_far += ulps > most_ulps;
+          if (too_far * most_in > sample_.words.size()) return;
+          off.add(static_cast<std::size_t>(std::min<std::uint64_t>(ulps, 255)));
         }
-        for (const std::size_t in : {200u, 20u}) {
+        for (const std::size_t in : {std::size_t(200), most_in}) {
           s.ulps = static_cast<std::uint8_t>(off.covers_all_but_one_in(in));
-          if (s.ulps <= 16) propose(s);
+          if (s.ulps <= most_ulps) propose(s);
         }
       }
     });
@@ -270,23 +290,25 @@ class Finder {
   Looks looks_;
   std::array<U, 2> tops_;  ///< the greatest magnitude of all, and but for a few
   std::vector<Proposal> proposed_;
+  std::vector<Cost> costs_;
+  std::vector<std::uint64_t> divisors_;  ///< for which quotients were proposed
 };
 
 }  // namespace
 
 template <class T>
-NumberSystem find_system(std::span<const WordOf<T>> words) {
+NumberSystem find_system(std::span<const WordOf<T>> words, Search search) {
   if constexpr (std::is_same_v<T, Whole>) {
     return integer_steps(words);
   } else {
     std::size_t equal = 1;
     while (equal < words.size() && words[equal] == words[0]) ++equal;
-    return equal >= words.size() ? NumberSystem() : Finder<T>(words).find();
+    return equal >= words.size() ? NumberSystem() : Finder<T>(words, search).find();
   }
 }
 
-template NumberSystem find_system<float>(std::span<const std::uint32_t>);
-template NumberSystem find_system<double>(std::span<const std::uint64_t>);
-template NumberSystem find_system<Whole>(std::span<const std::uint64_t>);
+template NumberSystem find_system<float>(std::span<const std::uint32_t>, Search);
+template NumberSystem find_system<double>(std::span<const std::uint64_t>, Search);
+template NumberSystem find_system<Whole>(std::span<const std::uint64_t>, Search);
 
 }  // namespace clers::internal

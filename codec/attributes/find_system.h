@@ -9,14 +9,17 @@
 
 namespace clers::internal {
 
+/// How many numbers a sample has: some hundred, or some thousand.
+enum class Search { quick, thorough };
+
 /// The system in which a sample of the numbers, of type T, takes the fewest bits; all of them if
 /// they are few. `first` is an N that fits, not the least. Cost: linear in the number of values for
 /// types of integers; for floats constant, but for a look whether all are equal.
 template <class T>
-NumberSystem find_system(std::span<const WordOf<T>> words);
-extern template NumberSystem find_system<float>(std::span<const std::uint32_t>);
-extern template NumberSystem find_system<double>(std::span<const std::uint64_t>);
-extern template NumberSystem find_system<Whole>(std::span<const std::uint64_t>);
+NumberSystem find_system(std::span<const WordOf<T>> words, Search search);
+extern template NumberSystem find_system<float>(std::span<const std::uint32_t>, Search);
+extern template NumberSystem find_system<double>(std::span<const std::uint64_t>, Search);
+extern template NumberSystem find_system<Whole>(std::span<const std::uint64_t>, Search);
 
 }  // namespace clers::internal
 

@@ -22,9 +22,10 @@ WordShape integer_shape(std::size_t components) {
 template <class Int>
 Expected<PackedPlanes> pack_integers(Lattice<const Int> lattice,
                                      std::span<const Predictor> candidates,
-                                     const CodedSurface& surface, int zstd_level) {
+                                     const CodedSurface& surface, int zstd_level,
+                                     std::size_t most_quick = no_bound) {
   return pack_planes(std::as_bytes(lattice.rows), integer_shape<Int>(lattice.axes.size()),
-                     candidates, surface, zstd_level);
+                     candidates, surface, zstd_level, most_quick);
 }
 
 /// Residuals into memory of just their size. Errors: invalid.

@@ -14,6 +14,8 @@ namespace {
 // All is tried on about so many vertices, chosen by coordinates that a symmetry keeps, so that a
 // vertex and its images are chosen together or not at all; and on no more than a few times as many.
 constexpr std::size_t sample = 4096;
+// A part of those first, where at least so many are in it.
+constexpr std::size_t few_parts = 8, least_few = 128;
 // Where so many agree in two coordinates, as on the walls of a box, their sums say little.
 constexpr std::size_t crowd = 40;
 // Sums that are tried on an axis, and the part of all votes without which one is not.
@@ -24,17 +26,27 @@ std::uint64_t mixed(std::uint64_t x) {
   return x ^ x >> 29;
 }
 
+template <class Int>
+struct Sample {
+  std::vector<Int> rows, few;
+};
+
 /// Rows whose key, of what a symmetry keeps, is chosen; all if they are few.
 template <class Int, class Key>
-std::vector<Int> chosen(const Lattice<Int>& lattice, Key key) {
-  const std::uint64_t parts = lattice.count() / sample + 1;
-  std::vector<Int> rows;
+Sample<Int> chosen(const Lattice<Int>& lattice, Key key) {
+  const std::uint64_t below = ~std::uint64_t(0) / (lattice.count() / sample + 1);
+  Sample<Int> found;
+  std::vector<Int>&rows = found.rows, &few = found.few;
   rows.reserve(3 * std::min(lattice.count(), 2 * sample));
   for (std::size_t v = 0; v < lattice.count() && rows.size() < 12 * sample; ++v) {
     const Int* const row = &lattice.rows[3 * v];
-    if (mixed(key(row)) % parts == 0) rows.insert(rows.end(), row, row + 3);
+    const std::uint64_t hash = mixed(key(row)) * 0x9e3779b97f4a7c15u;
+    if (hash > below) continue;
+    rows.insert(rows.end(), row, row + 3);
+    if (hash <= below / few_parts) few.insert(few.end(), row, row + 3);
   }
-  return rows;
+  if (few.size() < 3 * least_few) few.clear();
+  return found;
 }
 
 /// The line along an axis that a place is on, as a hash.
@@ -101,11 +113,19 @@ std::vector<std::uint64_t> elected(const std::vector<Voter>& voters) {
 /// A measure of how much can be predicted, 0 if it is too little: the share of vertices that are
 /// images, and a little of those that are so exactly.
 template <class Int>
-std::uint64_t worth(const Symmetry& symmetry, std::span<const Int> rows) {
+std::uint64_t worth(const Symmetry& symmetry, std::span<const Int> rows,
+                    std::span<const Int> few = {}) {
+  const auto images_of = [](Mirror<Int>& mirror, std::size_t count) {
+    for (std::uint32_t v = 0; v < count; ++v) mirror.known(v);
+    return mirror.images();
+  };
+  if (const std::size_t some = few.size() / 3; some > 0) {
+    Mirror<Int> mirror(symmetry, few.data(), some, {});
+    if (60 * images_of(mirror, some) < some) return 0;
+  }
   const std::size_t count = rows.size() / 3;
   Mirror<Int> mirror(symmetry, rows.data(), count, {});
-  for (std::uint32_t v = 0; v < count; ++v) mirror.known(v);
-  if (20 * mirror.images() < count) return 0;
+  if (20 * images_of(mirror, count) < count) return 0;
   std::uint64_t exactly = 0;
   for (std::uint32_t v = 0; v < count; ++v) {
     const std::uint32_t w = mirror.partner(v);
@@ -126,18 +146,18 @@ std::optional<Symmetry> find_mirror(const Lattice<Int>& lattice) {
     std::optional<Symmetry> symmetry;
     std::uint64_t worth = 0;
   };
-  const auto try_one = [&](Best& best, const Symmetry& symmetry, std::span<const Int> rows) {
-    const std::uint64_t found = symmetry.fits(lattice.axes) ? worth<Int>(symmetry, rows) : 0;
+  const auto try_one = [&](Best& best, const Symmetry& symmetry, std::span<const Int> rows,
+                           std::span<const Int> few = {}) {
+    const std::uint64_t found = symmetry.fits(lattice.axes) ? worth<Int>(symmetry, rows, few) : 0;
     if (found > best.worth) best = {symmetry, found};
     return found;
   };
   // Mirrors.
   std::array<Best, 3> mirrors;
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
-    const std::vector<Int> rows =
-        chosen(lattice, [&](const Int* row) { return line_of(row, axis); });
+    const auto [rows, few] = chosen(lattice, [&](const Int* row) { return line_of(row, axis); });
     for (const std::uint64_t sum : elected(voters<Int>(rows, axis)))
-      try_one(mirrors[axis], {axis, sum}, rows);
+      try_one(mirrors[axis], {axis, sum}, rows, few);
   }
   // Two of them, and turns about the middle of all.
   std::array<std::uint64_t, 3> sums = {};
@@ -152,20 +172,20 @@ std::optional<Symmetry> find_mirror(const Lattice<Int>& lattice) {
   Best others;
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
     const std::uint32_t axis2 = (axis + 1) % 3, kept = (axis + 2) % 3;
-    const std::vector<Int> rows =
+    const auto [rows, few] =
         chosen(lattice, [&](const Int* row) { return static_cast<std::uint64_t>(row[kept]); });
     if (rows.empty()) continue;
     if (mirrors[axis].symmetry && mirrors[axis2].symmetry)
       try_one(others,
               {axis, mirrors[axis].symmetry->sum, Symmetry::mirrors, mirrors[axis2].symmetry->sum},
-              rows);
-    try_one(others, {axis, sums[axis], Symmetry::half_turn, sums[axis2]}, rows);
+              rows, few);
+    try_one(others, {axis, sums[axis], Symmetry::half_turn, sums[axis2]}, rows, few);
     Symmetry turn = {axis, sums[axis], Symmetry::quarter_turn, sums[axis2]};
     if ((turn.sum + turn.sum2) % 2 != 0) --turn.sum;
-    if (try_one(others, turn, rows) == 0) continue;
+    if (try_one(others, turn, rows, few) == 0) continue;
     // What rounding may have moved.
     for (const std::uint64_t by : {std::uint64_t(1), ~std::uint64_t(0)})
-      try_one(others, {axis, turn.sum + by, Symmetry::quarter_turn, turn.sum2 + by}, rows);
+      try_one(others, {axis, turn.sum + by, Symmetry::quarter_turn, turn.sum2 + by}, rows, few);
   }
   // What is chosen by layers may be all flat, so the best are asked of all.
   Best best;

@@ -30,13 +30,15 @@ class NearGrid {
 
   template <class T>
   std::optional<Grid> find(const std::vector<T>& numbers) {
-    constexpr std::size_t most_sampled = 2048;
-    const std::size_t every = numbers.size() / most_sampled + 1;
-    std::vector<double> sample;
-    for (std::size_t i = 0; i < numbers.size(); i += every)
-      sample.push_back(static_cast<double>(numbers[i]));
-    std::sort(sample.begin(), sample.end());
-    if (!cluster(sample)) return std::nullopt;
+    // Where there is no grid, few numbers show it.
+    for (const std::size_t most_sampled : {128, 2048}) {
+      const std::size_t every = numbers.size() / most_sampled + 1;
+      std::vector<double> sample;
+      for (std::size_t i = 0; i < numbers.size(); i += every)
+        sample.push_back(static_cast<double>(numbers[i]));
+      std::sort(sample.begin(), sample.end());
+      if (!cluster(sample) && (most_sampled == 2048 || too_near_)) return std::nullopt;
+    }
     double least = centres_.back() - centres_.front();
     for (std::size_t i = 1; i < centres_.size(); ++i)
       least = std::min(least, centres_[i] - centres_[i - 1]);
@@ -53,10 +55,14 @@ class NearGrid {
   /// other nor a step apart, which is soon where there is no grid.
   bool cluster(const std::vector<double>& sorted) {
     centres_.clear();
+    too_near_ = false;
     for (std::size_t begin = 0, i = 1; i <= sorted.size(); ++i) {
       const double gap = i < sorted.size() ? sorted[i] - sorted[i - 1] : step_;
       if (gap <= 0.1 * step_) continue;
-      if (gap < 0.9 * step_) return false;
+      if (gap < 0.9 * step_) {
+        too_near_ = true;
+        return false;
+      }
       centres_.push_back(0.5 * (sorted[begin] + sorted[i - 1]));
       begin = i;
     }
@@ -97,6 +103,7 @@ class NearGrid {
 
   double step_;
   std::vector<double> centres_;
+  bool too_near_ = false;  ///< cluster() failed, and would whatever other numbers there are
 };
 
 }  // namespace clers::internal

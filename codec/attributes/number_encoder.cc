@@ -42,22 +42,57 @@ unsigned choose_low_bits(const PlacedColumn& column) {
   return near > column.ks.size() / 8 ? needed : narrow;
 }
 
+/// The integers that occur, in order, if they are no more than `most`; else none.
+std::vector<std::uint64_t> occurring_small(const std::vector<std::uint64_t>& ks, std::uint64_t top,
+                                           std::size_t most) {
+  std::vector<std::uint64_t> bits(static_cast<std::size_t>(top / 64) + 1), all;
+  std::size_t count = 0;
+  for (const std::uint64_t k : ks) {
+    std::uint64_t& word = bits[static_cast<std::size_t>(k / 64)];
+    count += (word >> k % 64 & 1) ^ 1;
+    word |= std::uint64_t(1) << k % 64;
+    if (count > most) return {};
+  }
+  for (std::size_t i = 0; i < bits.size(); ++i)
+    for (std::uint64_t word = bits[i]; word != 0; word &= word - 1)
+      all.push_back(64 * i + static_cast<unsigned>(std::countr_zero(word)));
+  return all;
+}
+
+/// The same for a `top` that is not small; also none where a sample says that they are not so few.
+std::vector<std::uint64_t> occurring(const std::vector<std::uint64_t>& ks, std::size_t most) {
+  std::vector<std::uint64_t> all;
+  // A hash table that is given up when it has too many.
+  const auto collect = [&](std::size_t every, std::size_t limit) {
+    std::vector<std::uint64_t> table(std::bit_ceil(2 * limit + 2), ~std::uint64_t(0));
+    all.clear();
+    for (std::size_t i = 0; i < ks.size(); i += every) {
+      const std::uint64_t k = ks[i];
+      std::size_t at = (k * 0x9e3779b97f4a7c15u >> 20) & (table.size() - 1);
+      while (table[at] != k && table[at] != ~std::uint64_t(0)) at = (at + 1) & (table.size() - 1);
+      if (table[at] == k) continue;
+      if (all.size() == limit) return false;
+      table[at] = k;
+      all.push_back(k);
+    }
+    return true;
+  };
+  // Of s numbers drawn from at most `most`, about s * s / (2 * most) have occurred before.
+  constexpr std::size_t every = 15;
+  const std::size_t sampled = (ks.size() + every - 1) / every,
+                    again = sampled * sampled / (8 * std::max(sampled, most));
+  if (!collect(every, sampled - again) || !collect(1, most)) return {};
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 /// The integers that occur, if they are few and their ranks much shorter; else none.
 std::vector<std::uint64_t> choose_palette(const std::vector<std::uint64_t>& ks, std::uint64_t top) {
-  const std::size_t most = ks.size() / 3;
-  if (most < 2 || top < 8) return {};
-  // A hash table that is given up when it has too many.
-  std::vector<std::uint64_t> table(std::bit_ceil(2 * most), ~std::uint64_t(0)), palette;
-  for (const std::uint64_t k : ks) {
-    std::size_t at = (k * 0x9e3779b97f4a7c15u >> 20) & (table.size() - 1);
-    while (table[at] != k && table[at] != ~std::uint64_t(0)) at = (at + 1) & (table.size() - 1);
-    if (table[at] == k) continue;
-    if (palette.size() == most) return {};
-    table[at] = k;
-    palette.push_back(k);
-  }
-  std::sort(palette.begin(), palette.end());
-  if (palette.size() > top / 2) return {};
+  const auto most = static_cast<std::size_t>(std::min<std::uint64_t>(ks.size() / 3, top / 2));
+  if (ks.size() < 6 || top < 8) return {};
+  std::vector<std::uint64_t> palette =
+      top / 64 < ks.size() ? occurring_small(ks, top, most) : occurring(ks, most);
+  if (palette.empty()) return {};
   std::vector<std::uint64_t> ranks(ks.size());
   for (std::size_t i = 0; i < ks.size(); ++i)
     ranks[i] = static_cast<std::uint64_t>(std::lower_bound(palette.begin(), palette.end(), ks[i]) -
@@ -233,7 +268,8 @@ NumberedValues number_values(std::span<const std::byte> values, Scalar scalar,
   for (std::size_t c = 0; c < components; ++c)
     systems.push_back(with_number_type(scalar, [&](auto type) {
       using T = decltype(type);
-      return find_system<T>(words_of<T>(values, {scalar, components, c}));
+      return find_system<T>(words_of<T>(values, {scalar, components, c}),
+                            level < 5 ? Search::quick : Search::thorough);
     }));
   return put_into_systems(values, scalar, std::move(systems), level);
 }

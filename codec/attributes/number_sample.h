@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -103,8 +104,13 @@ struct SampleLooks {
  private:
   void add_decimal(U m) {
     const double v = double(std::bit_cast<T>(m));
+    // No integer that is further away is rounded to the number: to be sure, two units of T.
+    const double unit = std::ldexp(1., m >> stored > 0 ? 1 - static_cast<int>(stored) : 0);
     for (unsigned d = 0; d < no_decimals && v * tens[d] < 1e15; ++d) {
-      auto n = static_cast<std::uint64_t>(nearest_integer(v * tens[d]));
+      const double shifted = v * tens[d];
+      auto n = static_cast<std::uint64_t>(nearest_integer(shifted));
+      if (std::fabs(shifted - static_cast<double>(static_cast<std::int64_t>(n))) > shifted * unit)
+        continue;
       if (std::bit_cast<U>(static_cast<T>(times_ten_to(n, -static_cast<int>(d)))) != m) continue;
       while (n % 10 == 0) n /= 10;
       decimals.add(d);

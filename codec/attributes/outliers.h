@@ -52,12 +52,29 @@ Bounds<T> bounds_without(std::vector<T> numbers, std::size_t few) {
   return {least, *high};
 }
 
+/// Whether more than a few numbers are below the third eighth of their range, and above the fifth:
+/// then the range is not four times as long as that without the few least and greatest.
+template <class T>
+bool is_spread(const std::vector<T>& numbers, const Bounds<T>& bounds, std::size_t few) {
+  const double low = static_cast<double>(bounds.least) + 0.37 * bounds.range(),
+               high = static_cast<double>(bounds.greatest) - 0.37 * bounds.range();
+  std::size_t below = 0, above = 0;
+  for (const T x : numbers) {
+    below += static_cast<double>(x) <= low;
+    above += static_cast<double>(x) >= high;
+  }
+  return below > few && above > few;
+}
+
 /// A thousandth of the values, or one, that make the longest side four times as long, or more.
 template <class T>
-std::optional<Outliers> outliers_of(const std::vector<std::vector<T>>& numbers, double longest,
+std::optional<Outliers> outliers_of(const std::vector<std::vector<T>>& numbers,
+                                    const std::vector<Bounds<T>>& bounds, double longest,
                                     int bits) {
   const std::size_t count = numbers[0].size(), few = std::max<std::size_t>(1, count / 1000);
   if (count < 16 || longest == 0) return std::nullopt;
+  for (std::size_t c = 0; c < numbers.size(); ++c)
+    if (bounds[c].range() == longest && is_spread(numbers[c], bounds[c], few)) return std::nullopt;
   std::vector<Bounds<T>> without;
   double side = 0;
   for (const std::vector<T>& component : numbers) {

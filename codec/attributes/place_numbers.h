@@ -27,6 +27,7 @@ struct PlacedNumber {
 /// Which K has the N that is nearest to n.
 inline std::int64_t nearest_step(const NumberSystem& s, std::int64_t n) {
   const auto step = static_cast<std::int64_t>(s.step);
+  if (step == 1) return n - s.first;
   const std::int64_t d = n - s.first + step / 2;
   return d / step - (d % step < 0);
 }
@@ -135,7 +136,7 @@ PlacedColumn place_column(std::span<const WordOf<T>> numbers, NumberSystem syste
   const std::size_t count = numbers.size();
   column.ks.resize(count);
   if (has_refinements(system)) column.choices.resize(count);
-  std::vector<bool> exact(count);
+  std::vector<std::uint8_t> exact(count);
   KRange range = {~std::uint64_t(0), 0};
   for (std::size_t i = 0; i < count; ++i) {
     const PlacedNumber p = placing.place(numbers[i]);

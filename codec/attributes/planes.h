@@ -61,28 +61,33 @@ void from_planes(std::span<const std::byte> planes, std::size_t components,
   }
 }
 
+inline constexpr std::size_t no_bound = ~std::size_t(0);
+
 /// Words packed by the predictor whose residuals a quick zstd packs smallest.
 struct PackedPlanes {
   Predictor predictor = Predictor::none;
   Bytes frame;
 };
-/// `words` are rows of a shape. Errors: internal. Throws std::bad_alloc only.
+/// `words` are rows of a shape. The frame is empty if the quick zstd makes more than `most_quick`
+/// bytes of them: they lose by far. Errors: internal. Throws std::bad_alloc only.
 inline Expected<PackedPlanes> pack_planes(std::span<const std::byte> words, WordShape shape,
                                           std::span<const Predictor> candidates,
-                                          const CodedSurface& surface, int zstd_level) {
+                                          const CodedSurface& surface, int zstd_level,
+                                          std::size_t most_quick = no_bound) {
   const std::size_t count = words.size() / shape.row_size();
   Bytes residuals(words.size()), planes(words.size()), best;
   PackedPlanes packed;
-  std::size_t least = ~std::size_t(0);
+  std::size_t least = no_bound;
   for (const Predictor predictor : candidates) {
     with_word(shape.scalar, [&](auto word) {
       using U = decltype(word);
-      subtract_predictions<U>(predictor, count, shape.components, surface, words.data(),
-                              residuals.data());
+      with_components(shape.components, [&](auto n) {
+        subtract_predictions<U>(predictor, count, n, surface, words.data(), residuals.data());
+      });
       to_planes<U>(residuals, shape.components, planes);
     });
     std::size_t size = 0;
-    if (candidates.size() > 1) {
+    if (candidates.size() > 1 || most_quick < no_bound) {
       auto trial = pack_frame(planes, 1);
       if (!trial) return Failure{trial.error()};
       size = trial->size();
@@ -92,6 +97,7 @@ inline Expected<PackedPlanes> pack_planes(std::span<const std::byte> words, Word
     packed.predictor = predictor;
     best = planes;
   }
+  if (most_quick < no_bound && least > most_quick) return packed;
   auto frame = pack_frame(best, zstd_level);
   if (!frame) return Failure{frame.error()};
   packed.frame = std::move(*frame);

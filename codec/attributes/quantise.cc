@@ -117,11 +117,10 @@ auto with_points(const NumberSystem& system, Use use) {
   });
 }
 
-/// The point of a grid that is nearest to a number, the lower of two. `k` is near it.
+/// The point of a grid that is nearest to a number, the lower of two. `k` is near it, and
+/// `error` how far off.
 template <class T, class Points>
-std::int64_t nearest_point(T x, std::int64_t k, double step, const Points& point, double& error) {
-  error = difference(x, point(k));
-  if (error <= 0.49 * step) return k;
+std::int64_t nearest_point(T x, std::int64_t k, const Points& point, double& error) {
   for (const std::int64_t way : {-1, 1})
     for (;;) {
       const double other = difference(x, point(k + way));
@@ -153,9 +152,10 @@ Moved<T> move_to(const std::vector<T>& numbers, const Grid& grid, bool keep_zero
         moved.too_far = i;
         return;
       }
-      double error = 0;
-      const std::int64_t n = nearest_point(x, nearest_integer(k), grid.step, point, error);
-      const T y = point(n);
+      const std::int64_t near = nearest_integer(k);
+      T y = point(near);
+      double error = difference(x, y);
+      if (error > 0.49 * grid.step) y = point(nearest_point(x, near, point, error));
       moved.numbers[i] = keep_zeros && x == y ? x : y;
       moved.error = std::max(moved.error, error);
     }
@@ -163,15 +163,36 @@ Moved<T> move_to(const std::vector<T>& numbers, const Grid& grid, bool keep_zero
   return moved;
 }
 
+/// Whether two numbers of a sample are nearer to each other than points a step apart can be. On
+/// no such grid, few are enough to show it.
+template <class T>
+bool has_nearer(const std::vector<T>& numbers, double largest, double step) {
+  const double rounding =
+      std::is_floating_point_v<T> ? largest * double(std::numeric_limits<T>::epsilon()) : 0;
+  for (const std::size_t most : {128, 2048}) {
+    const std::size_t every = numbers.size() / most + 1;
+    std::vector<T> sample;
+    for (std::size_t i = 0; i < numbers.size(); i += every) sample.push_back(numbers[i]);
+    std::sort(sample.begin(), sample.end());
+    for (std::size_t i = 1; i < sample.size(); ++i)
+      if (sample[i] != sample[i - 1] &&
+          difference(sample[i], sample[i - 1]) + rounding < 0.9 * step)
+        return true;
+  }
+  return false;
+}
+
 /// The system that numbers are in already, if its points are at least as far apart as those of a
 /// grid: so they are fewer, and nothing is lost.
 template <class T>
-std::optional<NumberSystem> coarser_system(const std::vector<T>& numbers, double step) {
+std::optional<NumberSystem> coarser_system(const std::vector<T>& numbers, double largest,
+                                           double step) {
   using Number = NumberType<T>;
+  if (has_nearer(numbers, largest, step)) return std::nullopt;
   std::vector<WordOf<Number>> words;
   words.reserve(numbers.size());
   for (const T x : numbers) words.push_back(word_of(x));
-  const NumberSystem found = find_system<Number>(words);
+  const NumberSystem found = find_system<Number>(words, Search::thorough);
   if (found.low_bits > 0 || found.ulps > 0) return std::nullopt;
   if (found.map != (std::is_floating_point_v<T> ? NumberMap::quotient : NumberMap::word))
     return std::nullopt;
@@ -211,7 +232,7 @@ class Quantiser {
     for (std::size_t c = 0; c < numbers_.size(); ++c) grids.push_back(grid_of(c));
     auto quantised = move_all(grids, precision_.kind != Kind::bits);
     if (quantised && precision_.kind == Kind::bits)
-      quantised->outliers = outliers_of(numbers_, longest_, precision_.bits);
+      quantised->outliers = outliers_of(numbers_, bounds_, longest_, precision_.bits);
     return quantised;
   }
 
@@ -260,7 +281,7 @@ class Quantiser {
       if (component.too_far)
         return not_on_grid(a_, *component.too_far, "is too many steps away from the origin");
       if (!keep_zeros || component.error == 0)
-        if (const auto coarser = coarser_system(numbers_[c], grids[c].step)) {
+        if (const auto coarser = coarser_system(numbers_[c], bounds_[c].largest(), grids[c].step)) {
           component = {numbers_[c], 0, std::nullopt};
           system = *coarser;
         }

@@ -16,8 +16,10 @@ Bytes encode_sized_positions(const CodedSurface& surface, Lattice<Int> positions
     order = VisitOrder::introduction;
   } else {
     guides.symmetry = find_mirror(positions);
-    guides.originals = find_originals(surface);
-    guides.copies = copies_pay(surface, guides.originals, positions);
+    if (component_count(surface) > 1) {
+      guides.originals = find_originals(surface);
+      guides.copies = copies_pay(surface, guides.originals, positions);
+    }
   }
   LaneEncoder coder;
   with_sized_model(surface, positions, guides, order,

@@ -35,9 +35,10 @@ inline Cost entropy_of(std::span<const std::uint64_t> counts) {
   return cost;
 }
 
-/// What a sample costs: K by its difference to that of the number before, and what else there is.
+/// What a sample costs, or something more than `most` if it costs more than that: K by its
+/// difference to that of the number before, and what else there is.
 template <class T>
-Cost cost_of(const NumberSystem& s, const NumberSample<WordOf<T>>& sample) {
+Cost cost_of(const NumberSystem& s, const NumberSample<WordOf<T>>& sample, Cost most) {
   constexpr Cost of_stray = 256 * (8 * sizeof(T) + 12);
   return with_map<T>(s, Scalar::float64, [&](const auto& map) {
     using Map = std::decay_t<decltype(map)>;
@@ -56,12 +57,16 @@ Cost cost_of(const NumberSystem& s, const NumberSample<WordOf<T>>& sample) {
       const PlacedNumber p = placing.place(sample.words[i]);
       if (!p.exact) {
         cost += of_stray;
+        if (cost > most) return cost;
         continue;
       }
       const std::uint64_t k = p.k - Placing<T, Map>::k_of_first;
       least = std::min(least, p.k);
       greatest = std::max(greatest, p.k);
-      if (i % sample.run == 0) before = k;
+      if (i % sample.run == 0) {
+        before = k;
+        if (cost > most) return cost;
+      }
       const auto length = static_cast<unsigned>(std::bit_width(zigzag(k - before)));
       before = k;
       ++lengths[length];
