@@ -31,7 +31,7 @@ class NearGrid {
   template <class T>
   std::optional<Grid> find(const std::vector<T>& numbers) {
     // Where there is no grid, few numbers show it.
-    for (const std::size_t most_sampled : {128, 2048}) {
+    for (const std::size_t most_sampled : {std::size_t(128), std::size_t(2048)}) {
       const std::size_t every = numbers.size() / most_sampled + 1;
       std::vector<double> sample;
       for (std::size_t i = 0; i < numbers.size(); i += every)

@@ -169,7 +169,7 @@ template <class T>
 bool has_nearer(const std::vector<T>& numbers, double largest, double step) {
   const double rounding =
       std::is_floating_point_v<T> ? largest * double(std::numeric_limits<T>::epsilon()) : 0;
-  for (const std::size_t most : {128, 2048}) {
+  for (const std::size_t most : {std::size_t(128), std::size_t(2048)}) {
     const std::size_t every = numbers.size() / most + 1;
     std::vector<T> sample;
     for (std::size_t i = 0; i < numbers.size(); i += every) sample.push_back(numbers[i]);
