@@ -62,6 +62,11 @@ Expected<NumberReader> read_numbers(std::span<const std::byte> bytes, std::uint6
   return numbers;
 }
 
+template <class Int>
+Lattice<Int> lattice_of(std::vector<Int>& rows, std::span<const Axis> axes) {
+  return {rows, axes};
+}
+
 /// Rows of `count` values.
 Rows make_rows(const AttributeHeader& header, std::size_t count) {
   const std::size_t n = count * header.attribute.components;
@@ -132,7 +137,7 @@ Expected<BegunAttribute> begin_attribute(std::span<const std::byte> bytes, std::
   const std::vector<Axis> axes = with_ranks(begun.numbers->numbers().axes);
   const auto ok = std::visit(
       [&](auto& rows) -> Expected<Done> {
-        const Lattice lattice{std::span(rows), std::span<const Axis>(axes)};
+        const auto lattice = lattice_of(rows, axes);
         if (header.coder == Coder::planes) return unpack_integers(coded, coded_at, lattice);
         auto predictor = decode_residuals(coded, coded_at, lattice);
         if (!predictor) return Failure{predictor.error()};
@@ -156,7 +161,7 @@ Expected<Attribute> finish_attribute(std::span<const std::byte> bytes, std::uint
   Attribute attribute = header.attribute;
   const auto ok = std::visit(
       [&](auto& rows) -> Expected<Done> {
-        const Lattice lattice{std::span(rows), std::span<const Axis>(axes)};
+        const auto lattice = lattice_of(rows, axes);
         if (auto done = finish_integers(header, begun.predictor, coded, coded_at, surface, lattice);
             !done)
           return done;
