@@ -1,5 +1,5 @@
 // Bounds, then a grid, then the nearest point of it for each number.
-#include "codec/attributes/quantise.h"
+#include "codec/numbers/quantise.h"
 
 #include <algorithm>
 #include <array>
@@ -12,14 +12,14 @@
 #include <type_traits>
 #include <utility>
 
-#include "codec/attributes/find_system.h"
-#include "codec/attributes/floating_maps.h"
-#include "codec/attributes/near_grid.h"
-#include "codec/attributes/number_maps.h"
-#include "codec/attributes/outliers.h"
-#include "codec/attributes/place_numbers.h"
 #include "codec/base/difference.h"
 #include "codec/base/portable.h"
+#include "codec/numbers/find_system.h"
+#include "codec/numbers/floating_maps.h"
+#include "codec/numbers/near_grid.h"
+#include "codec/numbers/number_maps.h"
+#include "codec/numbers/outliers.h"
+#include "codec/numbers/place_numbers.h"
 
 namespace clers::internal {
 namespace {

@@ -1,6 +1,6 @@
 // Values far from all others, for which the grid of a bounding box is coarse. Knows numbers alone.
-#ifndef CLERS_CODEC_ATTRIBUTES_OUTLIERS_H
-#define CLERS_CODEC_ATTRIBUTES_OUTLIERS_H
+#ifndef CLERS_CODEC_NUMBERS_OUTLIERS_H
+#define CLERS_CODEC_NUMBERS_OUTLIERS_H
 
 #include <algorithm>
 #include <cmath>
