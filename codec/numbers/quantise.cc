@@ -153,6 +153,7 @@ template <class T>
 Moved move_to(const std::vector<T>& numbers, const Grid& grid, bool keep_zeros,
               const NumberSystem& system, const Column<T>& to) {
   Moved moved;
+  const double sure = 0.49 * grid.step;  // no other point is as near
   with_points<T>(system, [&](const auto& point) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const T x = numbers[i];
@@ -163,8 +164,15 @@ Moved move_to(const std::vector<T>& numbers, const Grid& grid, bool keep_zeros,
       }
       const std::int64_t near = nearest_integer(k);
       T y = point(near);
-      double error = difference(x, y);
-      if (error > 0.49 * grid.step) y = point(nearest_point(x, near, point, error));
+      double error = 0;
+      if constexpr (std::is_floating_point_v<T>)
+        error = std::fabs(static_cast<double>(x) - static_cast<double>(y));
+      else
+        error = difference(x, y);
+      if (!(error <= sure)) {
+        error = difference(x, y);
+        y = point(nearest_point(x, near, point, error));
+      }
       to.set(i, keep_zeros && x == y ? x : y);
       moved.error = std::max(moved.error, error);
     }
