@@ -10,8 +10,8 @@
 #include "codec/attributes/named_values_decoder.h"
 #include "codec/attributes/ordered_integers.h"
 #include "codec/attributes/planes.h"
-#include "codec/attributes/ranks.h"
 #include "codec/attributes/sized_positions.h"
+#include "codec/numbers/ranks.h"
 
 namespace clers::internal {
 namespace {

@@ -10,12 +10,12 @@
 
 #include "codec/attributes/attribute_format.h"
 #include "codec/attributes/hexagon.h"
-#include "codec/attributes/lattice.h"
-#include "codec/attributes/number_decoder.h"
 #include "codec/connectivity/coded_surface.h"
 #include "codec/entropy/bytes.h"
 #include "codec/error.h"
 #include "codec/mesh.h"
+#include "codec/numbers/lattice.h"
+#include "codec/numbers/number_decoder.h"
 
 namespace clers::internal {
 

@@ -10,11 +10,11 @@
 #include "codec/attributes/integer_planes.h"
 #include "codec/attributes/mixed_coder.h"
 #include "codec/attributes/named_values_encoder.h"
-#include "codec/attributes/number_encoder.h"
 #include "codec/attributes/ordered_integers.h"
 #include "codec/attributes/planes.h"
-#include "codec/attributes/ranks.h"
 #include "codec/attributes/sized_positions.h"
+#include "codec/numbers/number_encoder.h"
+#include "codec/numbers/ranks.h"
 
 namespace clers::internal {
 namespace {

@@ -4,20 +4,14 @@
 
 #include <vector>
 
-#include "codec/attributes/number_system.h"
 #include "codec/connectivity/coded_surface.h"
 #include "codec/entropy/bytes.h"
 #include "codec/error.h"
 #include "codec/info.h"
 #include "codec/mesh.h"
+#include "codec/numbers/number_system.h"
 
 namespace clers::internal {
-
-/// What was decided for all pieces of a mesh.
-struct AttributePlan {
-  std::vector<NumberSystem> systems = {};  ///< one a component; none: they are found
-  double error = 0;                        ///< of the values, which are in the systems already
-};
 
 struct EncodedAttribute {
   Bytes bytes;

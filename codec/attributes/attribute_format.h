@@ -9,7 +9,6 @@
 #include <span>
 #include <string>
 
-#include "codec/attributes/number_system.h"
 #include "codec/attributes/prediction.h"
 #include "codec/base/utf8.h"
 #include "codec/connectivity/coded_surface.h"
@@ -17,6 +16,7 @@
 #include "codec/error.h"
 #include "codec/info.h"
 #include "codec/mesh.h"
+#include "codec/numbers/number_system.h"
 
 namespace clers::internal {
 

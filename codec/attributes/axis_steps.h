@@ -10,10 +10,10 @@
 #include <cstdint>
 #include <span>
 
-#include "codec/attributes/lattice.h"
 #include "codec/attributes/residual_sizes.h"
 #include "codec/attributes/triples.h"
 #include "codec/base/portable.h"
+#include "codec/numbers/lattice.h"
 
 namespace clers::internal {
 

@@ -19,9 +19,9 @@
 #include <span>
 #include <vector>
 
-#include "codec/attributes/lattice.h"
 #include "codec/attributes/linear_fit.h"
 #include "codec/connectivity/coded_surface.h"
+#include "codec/numbers/lattice.h"
 
 namespace clers::internal {
 

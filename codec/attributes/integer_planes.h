@@ -7,9 +7,9 @@
 #include <span>
 #include <string>
 
-#include "codec/attributes/lattice.h"
 #include "codec/attributes/planes.h"
 #include "codec/error.h"
+#include "codec/numbers/lattice.h"
 
 namespace clers::internal {
 

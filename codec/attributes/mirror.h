@@ -21,15 +21,13 @@
 #include <span>
 #include <vector>
 
-#include "codec/attributes/lattice.h"
 #include "codec/attributes/symmetry.h"
 #include "codec/base/portable.h"
 #include "codec/connectivity/coded_surface.h"
+#include "codec/numbers/lattice.h"
 #include "topology/ids.h"
 
 namespace clers::internal {
-
-
 
 /// The symmetry that most vertices can be predicted by, if at least a twentieth can: worth coding
 /// with. Cost: linear, but for sorting; bounded where many coordinates are equal. Throws

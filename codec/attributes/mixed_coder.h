@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <span>
 
-#include "codec/attributes/lattice.h"
 #include "codec/connectivity/coded_surface.h"
 #include "codec/entropy/bytes.h"
 #include "codec/error.h"
+#include "codec/numbers/lattice.h"
 
 namespace clers::internal {
 

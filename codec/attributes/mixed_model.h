@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "codec/attributes/lattice.h"
 #include "codec/attributes/mixed_correction.h"
 #include "codec/attributes/mixed_decisions.h"
 #include "codec/attributes/mixed_elsewhere.h"
@@ -22,6 +21,7 @@
 #include "codec/attributes/mixed_star.h"
 #include "codec/attributes/mixed_surroundings.h"
 #include "codec/attributes/vector.h"
+#include "codec/numbers/lattice.h"
 
 namespace clers::internal::mixed {
 

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <span>
 
-#include "codec/attributes/lattice.h"
 #include "codec/attributes/mixed_space.h"
+#include "codec/numbers/lattice.h"
 
 namespace clers::internal::mixed {
 

@@ -10,8 +10,8 @@
 #include <span>
 
 #include "codec/attributes/fixed_point.h"
-#include "codec/attributes/lattice.h"
 #include "codec/attributes/vector.h"
+#include "codec/numbers/lattice.h"
 
 namespace clers::internal::mixed {
 

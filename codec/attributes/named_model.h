@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "codec/attributes/lattice.h"
+#include "codec/numbers/lattice.h"
 
 namespace clers::internal {
 

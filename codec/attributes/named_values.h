@@ -14,11 +14,11 @@
 #include <vector>
 
 #include "codec/attributes/known_values.h"
-#include "codec/attributes/lattice.h"
 #include "codec/attributes/named_model.h"
 #include "codec/attributes/named_prediction.h"
 #include "codec/connectivity/coded_surface.h"
 #include "codec/entropy/coder.h"
+#include "codec/numbers/lattice.h"
 
 namespace clers::internal {
 

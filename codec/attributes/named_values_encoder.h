@@ -2,10 +2,10 @@
 #ifndef CLERS_CODEC_ATTRIBUTES_NAMED_VALUES_ENCODER_H
 #define CLERS_CODEC_ATTRIBUTES_NAMED_VALUES_ENCODER_H
 
-#include "codec/attributes/lattice.h"
 #include "codec/connectivity/coded_surface.h"
 #include "codec/entropy/bytes.h"
 #include "codec/mesh.h"
+#include "codec/numbers/lattice.h"
 
 namespace clers::internal {
 

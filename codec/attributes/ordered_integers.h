@@ -11,10 +11,10 @@
 #include <span>
 
 #include "codec/attributes/hexagon.h"
-#include "codec/attributes/lattice.h"
 #include "codec/connectivity/coded_surface.h"
 #include "codec/entropy/bytes.h"
 #include "codec/error.h"
+#include "codec/numbers/lattice.h"
 
 namespace clers::internal {
 

@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "codec/attributes/prediction.h"
-#include "codec/attributes/transform.h"
 #include "codec/connectivity/coded_surface.h"
 #include "codec/entropy/bytes.h"
 #include "codec/entropy/zstd_frame.h"
 #include "codec/error.h"
+#include "codec/numbers/transform.h"
 #include "codec/scalar.h"
 
 namespace clers::internal {

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "codec/attributes/transform.h"
 #include "codec/connectivity/coded_surface.h"
+#include "codec/numbers/transform.h"
 
 namespace clers::internal {
 

@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "codec/attributes/lattice.h"
 #include "codec/attributes/residual_classes.h"
 #include "codec/entropy/bytes.h"
 #include "codec/entropy/reversed_bits.h"
@@ -22,6 +21,7 @@
 #include "codec/entropy/stream.h"
 #include "codec/entropy/tabled_ans.h"
 #include "codec/error.h"
+#include "codec/numbers/lattice.h"
 
 namespace clers::internal {
 

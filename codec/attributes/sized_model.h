@@ -15,7 +15,6 @@
 
 #include "codec/attributes/axis_steps.h"
 #include "codec/attributes/copies.h"
-#include "codec/attributes/lattice.h"
 #include "codec/attributes/mirror.h"
 #include "codec/attributes/parallelograms.h"
 #include "codec/attributes/residual_sizes.h"
@@ -27,6 +26,7 @@
 #include "codec/connectivity/coded_surface.h"
 #include "codec/entropy/coder.h"
 #include "codec/entropy/lanes.h"
+#include "codec/numbers/lattice.h"
 #include "topology/ids.h"
 
 namespace clers::internal {

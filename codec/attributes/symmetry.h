@@ -8,9 +8,9 @@
 #include <optional>
 #include <span>
 
-#include "codec/attributes/lattice.h"
 #include "codec/entropy/bytes.h"
 #include "codec/error.h"
+#include "codec/numbers/lattice.h"
 
 namespace clers::internal {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "codec/attributes/quantise.h"
 #include "codec/base/parallel.h"
+#include "codec/numbers/quantise.h"
 
 namespace clers::internal {
 namespace {

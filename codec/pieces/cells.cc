@@ -6,9 +6,9 @@
 #include <cstring>
 #include <span>
 
-#include "codec/attributes/transform.h"
 #include "codec/base/no_index.h"
 #include "codec/base/parallel.h"
+#include "codec/numbers/transform.h"
 #include "topology/buckets.h"
 
 namespace clers::internal {

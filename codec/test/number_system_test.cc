@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "codec/attributes/number_decoder.h"
-#include "codec/attributes/number_encoder.h"
 #include "codec/base/portable.h"
+#include "codec/numbers/number_decoder.h"
+#include "codec/numbers/number_encoder.h"
 #include "corpus/random.h"
 
 namespace clers::internal {

@@ -1,5 +1,5 @@
 // Values on grids: what comes out, by how much it is off, and what cannot be on any.
-#include "codec/attributes/quantise.h"
+#include "codec/numbers/quantise.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,11 +1,11 @@
 // How long steps are, and number systems in words.
-#include "codec/attributes/number_system.h"
+#include "codec/numbers/number_system.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "codec/attributes/number_maps.h"
+#include "codec/numbers/number_maps.h"
 
 namespace clers::internal {
 

@@ -1,6 +1,6 @@
 // About how many bits numbers take in a system: to choose among systems.
-#ifndef CLERS_CODEC_ATTRIBUTES_SYSTEM_COST_H
-#define CLERS_CODEC_ATTRIBUTES_SYSTEM_COST_H
+#ifndef CLERS_CODEC_NUMBERS_SYSTEM_COST_H
+#define CLERS_CODEC_NUMBERS_SYSTEM_COST_H
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "codec/attributes/number_sample.h"
-#include "codec/attributes/place_numbers.h"
+#include "codec/numbers/number_sample.h"
+#include "codec/numbers/place_numbers.h"
 
 namespace clers::internal {
 

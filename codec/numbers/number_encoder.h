@@ -1,14 +1,14 @@
 // Values -> number systems that have them, integers, and what the integers leave open.
-#ifndef CLERS_CODEC_ATTRIBUTES_NUMBER_ENCODER_H
-#define CLERS_CODEC_ATTRIBUTES_NUMBER_ENCODER_H
+#ifndef CLERS_CODEC_NUMBERS_NUMBER_ENCODER_H
+#define CLERS_CODEC_NUMBERS_NUMBER_ENCODER_H
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "codec/attributes/number_system.h"
 #include "codec/entropy/bytes.h"
+#include "codec/numbers/number_system.h"
 
 namespace clers::internal {
 

@@ -2,8 +2,8 @@
 //
 // Refinements mostly are noise: they are plain bits, or uniform choices. Ulps and signs of zero are
 // not, nor are numbers that occur again: then so does what belongs to the same integer.
-#ifndef CLERS_CODEC_ATTRIBUTES_REFINEMENTS_H
-#define CLERS_CODEC_ATTRIBUTES_REFINEMENTS_H
+#ifndef CLERS_CODEC_NUMBERS_REFINEMENTS_H
+#define CLERS_CODEC_NUMBERS_REFINEMENTS_H
 
 #include <algorithm>
 #include <bit>
@@ -13,9 +13,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "codec/attributes/number_format.h"
 #include "codec/entropy/bits.h"
 #include "codec/entropy/coder.h"
+#include "codec/numbers/number_format.h"
 
 namespace clers::internal {
 

@@ -1,5 +1,5 @@
 // Bounds, then a grid, then the nearest point of it for each number.
-#include "codec/attributes/quantise.h"
+#include "codec/numbers/quantise.h"
 
 #include <algorithm>
 #include <array>
@@ -12,14 +12,14 @@
 #include <type_traits>
 #include <utility>
 
-#include "codec/attributes/find_system.h"
-#include "codec/attributes/floating_maps.h"
-#include "codec/attributes/near_grid.h"
-#include "codec/attributes/number_maps.h"
-#include "codec/attributes/outliers.h"
-#include "codec/attributes/place_numbers.h"
 #include "codec/base/difference.h"
 #include "codec/base/portable.h"
+#include "codec/numbers/find_system.h"
+#include "codec/numbers/floating_maps.h"
+#include "codec/numbers/near_grid.h"
+#include "codec/numbers/number_maps.h"
+#include "codec/numbers/outliers.h"
+#include "codec/numbers/place_numbers.h"
 
 namespace clers::internal {
 namespace {
@@ -49,11 +49,14 @@ Failure<Error> not_on_grid(const AttributeView& a, std::size_t i, const char* wh
 template <class T>
 Expected<Done> check_finite(const AttributeView& a, const std::vector<std::vector<T>>& numbers) {
   if constexpr (std::is_floating_point_v<T>) {
+    bool finite = true;
+    for (const std::vector<T>& component : numbers)
+      for (const T x : component) finite &= std::fabs(x) <= std::numeric_limits<T>::max();
+    if (finite) return Done{};
     std::size_t first = numbers[0].size();
     for (const std::vector<T>& component : numbers)
       for (std::size_t i = 0; i < first; ++i)
         if (!std::isfinite(component[i])) first = i;
-    if (first == numbers[0].size()) return Done{};
     const bool nan = std::any_of(numbers.begin(), numbers.end(), [&](const auto& component) {
       return std::isnan(component[first]);
     });
@@ -131,19 +134,26 @@ std::int64_t nearest_point(T x, std::int64_t k, const Points& point, double& err
   return k;
 }
 
-template <class T>
 struct Moved {
-  std::vector<T> numbers;
   double error = 0;                         ///< the largest difference
   std::optional<std::size_t> too_far = {};  ///< the first number that is too far away
 };
 
+/// Where the numbers of a component go: packed values.
+template <class T>
+struct Column {
+  std::byte* first;
+  std::size_t stride;
+
+  void set(std::size_t i, T x) const { std::memcpy(first + i * stride, &x, sizeof(T)); }
+};
+
 /// Moves the numbers of a component to a grid.
 template <class T>
-Moved<T> move_to(const std::vector<T>& numbers, const Grid& grid, bool keep_zeros,
-                 const NumberSystem& system) {
-  Moved<T> moved;
-  moved.numbers.resize(numbers.size());
+Moved move_to(const std::vector<T>& numbers, const Grid& grid, bool keep_zeros,
+              const NumberSystem& system, const Column<T>& to) {
+  Moved moved;
+  const double sure = 0.49 * grid.step;  // no other point is as near
   with_points<T>(system, [&](const auto& point) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const T x = numbers[i];
@@ -154,9 +164,16 @@ Moved<T> move_to(const std::vector<T>& numbers, const Grid& grid, bool keep_zero
       }
       const std::int64_t near = nearest_integer(k);
       T y = point(near);
-      double error = difference(x, y);
-      if (error > 0.49 * grid.step) y = point(nearest_point(x, near, point, error));
-      moved.numbers[i] = keep_zeros && x == y ? x : y;
+      double error = 0;
+      if constexpr (std::is_floating_point_v<T>)
+        error = std::fabs(static_cast<double>(x) - static_cast<double>(y));
+      else
+        error = difference(x, y);
+      if (!(error <= sure)) {
+        error = difference(x, y);
+        y = point(nearest_point(x, near, point, error));
+      }
+      to.set(i, keep_zeros && x == y ? x : y);
       moved.error = std::max(moved.error, error);
     }
   });
@@ -271,30 +288,26 @@ class Quantiser {
   Expected<QuantisedValues> move_all(const std::vector<Grid>& grids, bool keep_zeros) {
     QuantisedValues all;
     if (!std::is_floating_point_v<T> && grids[0].step <= 1) return all;
-    std::vector<std::vector<T>> moved;
+    all.values.resize(count_ * a_.value_size());
     for (std::size_t c = 0; c < numbers_.size(); ++c) {
       Grid grid = grids[c];
       if (std::is_floating_point_v<T> && !keep_zeros)
         if (const auto near = NearGrid(grid.step).find(numbers_[c])) grid = *near;
       NumberSystem system = system_of(grid, a_.scalar, bounds_[c].largest());
-      Moved<T> component = move_to(numbers_[c], grid, keep_zeros, system);
+      const Column<T> column{all.values.data() + c * sizeof(T), a_.value_size()};
+      Moved component = move_to(numbers_[c], grid, keep_zeros, system, column);
       if (component.too_far)
         return not_on_grid(a_, *component.too_far, "is too many steps away from the origin");
       if (!keep_zeros || component.error == 0)
         if (const auto coarser = coarser_system(numbers_[c], bounds_[c].largest(), grids[c].step)) {
-          component = {numbers_[c], 0, std::nullopt};
+          for (std::size_t i = 0; i < count_; ++i) column.set(i, numbers_[c][i]);
+          component = {};
           system = *coarser;
         }
       all.plan.error = std::max(all.plan.error, component.error);
       all.plan.systems.push_back(system);
-      moved.push_back(std::move(component.numbers));
     }
     if (all.plan.error == 0) return QuantisedValues{};
-    all.values.resize(count_ * a_.value_size());
-    for (std::size_t c = 0; c < moved.size(); ++c)
-      for (std::size_t i = 0; i < count_; ++i)
-        std::memcpy(all.values.data() + (i * moved.size() + c) * sizeof(T), &moved[c][i],
-                    sizeof(T));
     return all;
   }
 

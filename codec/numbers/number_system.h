@@ -9,8 +9,8 @@
 // zero) are refinements; values that the system does not have are strays. Both are stored apart.
 // The maps are a few operations on integers, or correctly rounded ones on doubles, so that they
 // give the same on every machine (codec/format-values.md).
-#ifndef CLERS_CODEC_ATTRIBUTES_NUMBER_SYSTEM_H
-#define CLERS_CODEC_ATTRIBUTES_NUMBER_SYSTEM_H
+#ifndef CLERS_CODEC_NUMBERS_NUMBER_SYSTEM_H
+#define CLERS_CODEC_NUMBERS_NUMBER_SYSTEM_H
 
 #include <algorithm>
 #include <cstddef>
@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "codec/attributes/lattice.h"
+#include "codec/numbers/lattice.h"
 #include "codec/scalar.h"
 
 namespace clers::internal {
@@ -63,6 +63,12 @@ struct Numbers {
     return std::all_of(axes.begin(), axes.end(),
                        [](const Axis& a) { return a.top <= most_narrow; });
   }
+};
+
+/// What was decided for all pieces of a mesh.
+struct AttributePlan {
+  std::vector<NumberSystem> systems = {};  ///< one a component; none: they are found
+  double error = 0;                        ///< of the values, which are in the systems already
 };
 
 /// How far apart two neighbours on an axis are; 0 where that is not the same everywhere.

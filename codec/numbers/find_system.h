@@ -1,11 +1,11 @@
 // The system that the numbers of a component are likely to have been written in.
-#ifndef CLERS_CODEC_ATTRIBUTES_FIND_SYSTEM_H
-#define CLERS_CODEC_ATTRIBUTES_FIND_SYSTEM_H
+#ifndef CLERS_CODEC_NUMBERS_FIND_SYSTEM_H
+#define CLERS_CODEC_NUMBERS_FIND_SYSTEM_H
 
 #include <cstddef>
 #include <span>
 
-#include "codec/attributes/number_maps.h"
+#include "codec/numbers/number_maps.h"
 
 namespace clers::internal {
 

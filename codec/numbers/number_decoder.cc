@@ -1,13 +1,13 @@
 // Systems and streams -> what a component's integers mean.
-#include "codec/attributes/number_decoder.h"
+#include "codec/numbers/number_decoder.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "codec/attributes/component_words.h"
-#include "codec/attributes/refinements.h"
 #include "codec/base/portable.h"
+#include "codec/numbers/component_words.h"
+#include "codec/numbers/refinements.h"
 
 namespace clers::internal {
 namespace {

@@ -1,6 +1,6 @@
 // What stands before the integers of values: the system of each component <-> bytes.
-#ifndef CLERS_CODEC_ATTRIBUTES_NUMBER_FORMAT_H
-#define CLERS_CODEC_ATTRIBUTES_NUMBER_FORMAT_H
+#ifndef CLERS_CODEC_NUMBERS_NUMBER_FORMAT_H
+#define CLERS_CODEC_NUMBERS_NUMBER_FORMAT_H
 
 #include <bit>
 #include <cmath>
@@ -8,10 +8,10 @@
 #include <limits>
 #include <string>
 
-#include "codec/attributes/floating_maps.h"
-#include "codec/attributes/number_system.h"
 #include "codec/entropy/bytes.h"
 #include "codec/error.h"
+#include "codec/numbers/floating_maps.h"
+#include "codec/numbers/number_system.h"
 
 namespace clers::internal {
 

@@ -2,8 +2,8 @@
 //
 // Each has both directions. word(n, choice) is the definition, the same on every machine. locate()
 // is a guess of its inverse, which the encoder checks by word(): it may be wrong, not unsafe.
-#ifndef CLERS_CODEC_ATTRIBUTES_NUMBER_MAPS_H
-#define CLERS_CODEC_ATTRIBUTES_NUMBER_MAPS_H
+#ifndef CLERS_CODEC_NUMBERS_NUMBER_MAPS_H
+#define CLERS_CODEC_NUMBERS_NUMBER_MAPS_H
 
 #include <array>
 #include <bit>
@@ -13,8 +13,8 @@
 #include <limits>
 #include <type_traits>
 
-#include "codec/attributes/number_system.h"
-#include "codec/attributes/transform.h"
+#include "codec/numbers/number_system.h"
+#include "codec/numbers/transform.h"
 
 namespace clers::internal {
 

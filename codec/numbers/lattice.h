@@ -2,8 +2,8 @@
 //
 // A number system (number_system.h) makes integers of the components of values, and values of them
 // again. Here they are only that: rows of integers, and what is known of each component beforehand.
-#ifndef CLERS_CODEC_ATTRIBUTES_LATTICE_H
-#define CLERS_CODEC_ATTRIBUTES_LATTICE_H
+#ifndef CLERS_CODEC_NUMBERS_LATTICE_H
+#define CLERS_CODEC_NUMBERS_LATTICE_H
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // Numbers -> their places in a system: integers, refinements, strays. For encoders.
-#ifndef CLERS_CODEC_ATTRIBUTES_PLACE_NUMBERS_H
-#define CLERS_CODEC_ATTRIBUTES_PLACE_NUMBERS_H
+#ifndef CLERS_CODEC_NUMBERS_PLACE_NUMBERS_H
+#define CLERS_CODEC_NUMBERS_PLACE_NUMBERS_H
 
 #include <algorithm>
 #include <bit>
@@ -12,8 +12,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "codec/attributes/number_format.h"
-#include "codec/attributes/refinements.h"
+#include "codec/numbers/number_format.h"
+#include "codec/numbers/refinements.h"
 
 namespace clers::internal {
 

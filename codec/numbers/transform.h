@@ -2,8 +2,8 @@
 //
 // Floats are mapped to integers that sort like them, so that a small difference of values mostly is
 // a small difference of integers, every bit pattern survives, and no rounding is involved.
-#ifndef CLERS_CODEC_ATTRIBUTES_TRANSFORM_H
-#define CLERS_CODEC_ATTRIBUTES_TRANSFORM_H
+#ifndef CLERS_CODEC_NUMBERS_TRANSFORM_H
+#define CLERS_CODEC_NUMBERS_TRANSFORM_H
 
 #include <cstddef>
 #include <cstring>

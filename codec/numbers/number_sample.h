@@ -1,6 +1,6 @@
 // Some of many floats, and what can be seen of them: how many digits and bits they have.
-#ifndef CLERS_CODEC_ATTRIBUTES_NUMBER_SAMPLE_H
-#define CLERS_CODEC_ATTRIBUTES_NUMBER_SAMPLE_H
+#ifndef CLERS_CODEC_NUMBERS_NUMBER_SAMPLE_H
+#define CLERS_CODEC_NUMBERS_NUMBER_SAMPLE_H
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "codec/attributes/floating_maps.h"
+#include "codec/numbers/floating_maps.h"
 
 namespace clers::internal {
 

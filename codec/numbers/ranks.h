@@ -1,13 +1,13 @@
 // Integers of a palette <-> their ranks in it, for coders that know no palettes.
-#ifndef CLERS_CODEC_ATTRIBUTES_RANKS_H
-#define CLERS_CODEC_ATTRIBUTES_RANKS_H
+#ifndef CLERS_CODEC_NUMBERS_RANKS_H
+#define CLERS_CODEC_NUMBERS_RANKS_H
 
 #include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
 
-#include "codec/attributes/lattice.h"
+#include "codec/numbers/lattice.h"
 
 namespace clers::internal {
 

@@ -1,14 +1,14 @@
 // One component of packed values <-> the words of its numbers.
-#ifndef CLERS_CODEC_ATTRIBUTES_COMPONENT_WORDS_H
-#define CLERS_CODEC_ATTRIBUTES_COMPONENT_WORDS_H
+#ifndef CLERS_CODEC_NUMBERS_COMPONENT_WORDS_H
+#define CLERS_CODEC_NUMBERS_COMPONENT_WORDS_H
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "codec/attributes/number_maps.h"
-#include "codec/attributes/transform.h"
+#include "codec/numbers/number_maps.h"
+#include "codec/numbers/transform.h"
 #include "codec/scalar.h"
 
 namespace clers::internal {

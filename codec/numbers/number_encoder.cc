@@ -1,5 +1,5 @@
 // Places values in systems, and writes what their integers do not say.
-#include "codec/attributes/number_encoder.h"
+#include "codec/numbers/number_encoder.h"
 
 #include <algorithm>
 #include <array>
@@ -7,11 +7,11 @@
 #include <optional>
 #include <utility>
 
-#include "codec/attributes/component_words.h"
-#include "codec/attributes/find_system.h"
-#include "codec/attributes/place_numbers.h"
 #include "codec/base/portable.h"
 #include "codec/entropy/stream.h"
+#include "codec/numbers/component_words.h"
+#include "codec/numbers/find_system.h"
+#include "codec/numbers/place_numbers.h"
 
 namespace clers::internal {
 namespace {

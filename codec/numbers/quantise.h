@@ -2,8 +2,8 @@
 //
 // A grid is found for all values of a mesh at once, so that its pieces share it. What comes out is
 // values again, which a number system has exactly: whoever codes them loses nothing more.
-#ifndef CLERS_CODEC_ATTRIBUTES_QUANTISE_H
-#define CLERS_CODEC_ATTRIBUTES_QUANTISE_H
+#ifndef CLERS_CODEC_NUMBERS_QUANTISE_H
+#define CLERS_CODEC_NUMBERS_QUANTISE_H
 
 #include <cstddef>
 #include <cstdint>
@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "codec/attributes/attribute_encoder.h"
-#include "codec/attributes/outliers.h"
 #include "codec/error.h"
 #include "codec/mesh_view.h"
+#include "codec/numbers/number_system.h"
+#include "codec/numbers/outliers.h"
 #include "codec/precision.h"
 
 namespace clers::internal {

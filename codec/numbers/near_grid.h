@@ -1,6 +1,6 @@
 // A grid that numbers nearly lie on, as those that were scaled or printed after they were rounded.
-#ifndef CLERS_CODEC_ATTRIBUTES_NEAR_GRID_H
-#define CLERS_CODEC_ATTRIBUTES_NEAR_GRID_H
+#ifndef CLERS_CODEC_NUMBERS_NEAR_GRID_H
+#define CLERS_CODEC_NUMBERS_NEAR_GRID_H
 
 #include <algorithm>
 #include <cmath>

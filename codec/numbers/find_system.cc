@@ -1,5 +1,5 @@
 // Proposes systems from a few hundred numbers, and measures which is best.
-#include "codec/attributes/find_system.h"
+#include "codec/numbers/find_system.h"
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "codec/attributes/approximate_steps.h"
-#include "codec/attributes/number_sample.h"
-#include "codec/attributes/system_cost.h"
+#include "codec/numbers/approximate_steps.h"
+#include "codec/numbers/number_sample.h"
+#include "codec/numbers/system_cost.h"
 
 namespace clers::internal {
 namespace {

@@ -1,17 +1,17 @@
 // Number systems and integers -> values.
-#ifndef CLERS_CODEC_ATTRIBUTES_NUMBER_DECODER_H
-#define CLERS_CODEC_ATTRIBUTES_NUMBER_DECODER_H
+#ifndef CLERS_CODEC_NUMBERS_NUMBER_DECODER_H
+#define CLERS_CODEC_NUMBERS_NUMBER_DECODER_H
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "codec/attributes/number_format.h"
-#include "codec/attributes/number_system.h"
 #include "codec/entropy/bytes.h"
 #include "codec/entropy/stream.h"
 #include "codec/error.h"
+#include "codec/numbers/number_format.h"
+#include "codec/numbers/number_system.h"
 
 namespace clers::internal {
 

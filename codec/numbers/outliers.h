@@ -1,8 +1,9 @@
 // Values far from all others, for which the grid of a bounding box is coarse. Knows numbers alone.
-#ifndef CLERS_CODEC_ATTRIBUTES_OUTLIERS_H
-#define CLERS_CODEC_ATTRIBUTES_OUTLIERS_H
+#ifndef CLERS_CODEC_NUMBERS_OUTLIERS_H
+#define CLERS_CODEC_NUMBERS_OUTLIERS_H
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -33,12 +34,24 @@ struct Bounds {
 /// Precondition: there are numbers, and all are finite.
 template <class T>
 Bounds<T> bounds_of(const std::vector<T>& numbers) {
-  Bounds<T> bounds{numbers.front(), numbers.front()};
-  for (const T x : numbers) {
-    bounds.least = std::min(bounds.least, x);
-    bounds.greatest = std::max(bounds.greatest, x);
+  // Several at a time, which do not wait for each other.
+  constexpr std::size_t lanes = 8;
+  std::array<T, lanes> least, greatest;
+  least.fill(numbers.front());
+  greatest.fill(numbers.front());
+  std::size_t i = 0;
+  for (; i + lanes <= numbers.size(); i += lanes)
+    for (std::size_t k = 0; k < lanes; ++k) {
+      const T x = numbers[i + k];
+      least[k] = x < least[k] ? x : least[k];
+      greatest[k] = x > greatest[k] ? x : greatest[k];
+    }
+  for (; i < numbers.size(); ++i) {
+    least[0] = std::min(least[0], numbers[i]);
+    greatest[0] = std::max(greatest[0], numbers[i]);
   }
-  return bounds;
+  return {*std::min_element(least.begin(), least.end()),
+          *std::max_element(greatest.begin(), greatest.end())};
 }
 
 /// What is left of the range without the `few` least and the `few` greatest numbers.

@@ -1,6 +1,6 @@
 // Steps that numbers have in common, but for noise.
-#ifndef CLERS_CODEC_ATTRIBUTES_APPROXIMATE_STEPS_H
-#define CLERS_CODEC_ATTRIBUTES_APPROXIMATE_STEPS_H
+#ifndef CLERS_CODEC_NUMBERS_APPROXIMATE_STEPS_H
+#define CLERS_CODEC_NUMBERS_APPROXIMATE_STEPS_H
 
 #include <algorithm>
 #include <cmath>

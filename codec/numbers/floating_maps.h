@@ -9,8 +9,8 @@
 //
 // How many digits N has says how many there are below. N = 0 says neither sign nor decade: there
 // the choice is the number itself, of all those below the unit.
-#ifndef CLERS_CODEC_ATTRIBUTES_FLOATING_MAPS_H
-#define CLERS_CODEC_ATTRIBUTES_FLOATING_MAPS_H
+#ifndef CLERS_CODEC_NUMBERS_FLOATING_MAPS_H
+#define CLERS_CODEC_NUMBERS_FLOATING_MAPS_H
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "codec/attributes/number_maps.h"
+#include "codec/numbers/number_maps.h"
 
 namespace clers::internal {
 
