@@ -113,6 +113,13 @@ Expected<std::string> describe_numbers(std::span<const std::byte> bytes, std::ui
   return in_words(numbers->numbers());
 }
 
+std::uint64_t describing_memory(std::span<const std::byte> bytes, const AttributeHeader& header,
+                                std::uint64_t count) {
+  if (header.coder == Coder::words) return 0;
+  return NumberReader::memory(numbers_of(bytes, header), header.attribute.scalar,
+                              header.attribute.components, count);
+}
+
 Expected<BegunAttribute> begin_attribute(std::span<const std::byte> bytes, std::uint64_t at,
                                          const AttributeHeader& header, std::uint64_t count) {
   BegunAttribute begun;

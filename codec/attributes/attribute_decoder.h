@@ -29,6 +29,10 @@ Expected<Done> check_values(std::span<const std::byte> bytes, std::uint64_t at,
 Expected<std::string> describe_numbers(std::span<const std::byte> bytes, std::uint64_t at,
                                        const AttributeHeader& header, std::uint64_t count);
 
+/// Bytes that this takes besides the words.
+std::uint64_t describing_memory(std::span<const std::byte> bytes, const AttributeHeader& header,
+                                std::uint64_t count);
+
 /// An attribute of which all is read that needs no faces.
 struct BegunAttribute {
   Bytes words;                          ///< residuals, of those that are no integers

@@ -1,6 +1,7 @@
 // Headers, and sums over them.
 #include "codec/file/open_file.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "codec/base/in_mesh.h"
@@ -68,13 +69,17 @@ Expected<OpenFile> open_file(std::span<const std::byte> bytes, const Limits& lim
 }
 
 std::uint64_t info_memory(const OpenFile& file) {
-  std::uint64_t memory = 0;
+  std::uint64_t memory = 0, most = 0;
   for (const MeshSections& mesh : file.meshes) {
     memory += sizeof(MeshInfo);
-    for (const PieceSections::AttributeSection& a : mesh.pieces[0].attributes)
-      memory += sizeof(AttributeInfo) + a.header.attribute.name.size();
+    for (const PieceSections::AttributeSection& a : mesh.pieces[0].attributes) {
+      // A line of text for each component, at most.
+      memory += sizeof(AttributeInfo) + a.header.attribute.name.size() +
+                64 * std::uint64_t(a.header.attribute.components);
+      most = std::max(most, describing_memory(a.bytes, a.header, a.count));
+    }
   }
-  return memory;
+  return memory + most;
 }
 
 Expected<FileInfo> info_of(const OpenFile& file, bool metadata) {
