@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "codec/entropy/coder.h"
-#include "codec/entropy/rans.h"
 #include "codec/entropy/mixer.h"
+#include "codec/entropy/rans.h"
 #include "codec/symbols/neighbourhood.h"
 #include "codec/symbols/symbol.h"
 #include "topology/front.h"

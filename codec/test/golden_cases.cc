@@ -180,6 +180,33 @@ class Cases {
     add("255 components, a name of 255 bytes", wide);
   }
 
+  /// Symmetric and not, rounded to grids and not: what coders of positions know of all is used.
+  void positions() {
+    const NamedMesh meshes[] = {{"a grid", bare(corpus::grid(40, 7))},
+                                {"parts", bare(corpus::copies(corpus::icosphere(2), 3))}};
+    const std::pair<const char*, Precision> precisions[] = {
+        {"lossless", Precision::lossless()},
+        {"11 bits", Precision::of_bits(11)},
+        {"steps of 0.37", Precision::of_step(0.37)},
+        {"off by 0.003", Precision::of_error(0.003)},
+        {"a grid of 0.25", Precision::on_grid({0.5, -1, 0}, 0.25)}};
+    for (const NamedMesh& m : meshes)
+      for (const Values kind : {Values::planes, Values::steps, Values::noise})
+        for (const Scalar scalar : {Scalar::float32, Scalar::float64})
+          for (const auto& [words, precision] : precisions) {
+            const Mesh mesh = dressed(with_positions(m.mesh, scalar, 3, kind));
+            for (const int level : {1, 5, 7, 9}) {
+              EncodeOptions options;
+              options.level = level;
+              options.precisions = {{position_name, precision}, {"colour", Precision::of_bits(5)}};
+              add(std::string(m.name) + ", " + "pqr"[int(kind)] + ", " +
+                      std::string(clers::name(scalar)) + ", " + words + ", level " +
+                      std::to_string(level),
+                  mesh, options);
+            }
+          }
+  }
+
   void files() {
     Mesh points;
     points.vertex_count = 13;
@@ -224,6 +251,7 @@ std::vector<GoldenCase> golden_cases() {
   cases.connectivity();
   cases.pieces();
   cases.attributes();
+  cases.positions();
   cases.files();
   return cases.take();
 }

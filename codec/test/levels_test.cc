@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "codec/connectivity/connectivity.h"
-#include "codec/entropy/rans.h"
-#include "codec/soup/adjacency.h"
 #include "codec/entropy/logistic.h"
 #include "codec/entropy/mixer.h"
+#include "codec/entropy/rans.h"
+#include "codec/soup/adjacency.h"
 #include "corpus/generate.h"
 
 namespace clers::internal {
