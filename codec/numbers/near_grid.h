@@ -63,7 +63,7 @@ class NearGrid {
         too_near_ = true;
         return false;
       }
-      centres_.push_back(0.5 * (sorted[begin] + sorted[i - 1]));
+      centres_.push_back(0.5 * sorted[begin] + 0.5 * sorted[i - 1]);  // no overflow
       begin = i;
     }
     return centres_.size() > 2;
@@ -80,7 +80,9 @@ class NearGrid {
       squares += k * k;
       if (squares > 0) step = products / squares;
     }
-    return step >= 1.05 * step_ ? std::optional(Grid{centres_[0], step}) : std::nullopt;
+    // Products of the greatest numbers may overflow.
+    return step >= 1.05 * step_ && std::isfinite(step) ? std::optional(Grid{centres_[0], step})
+                                                       : std::nullopt;
   }
 
   static double off(double x, const Grid& grid) {

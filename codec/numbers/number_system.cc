@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "codec/numbers/number_maps.h"
 
@@ -19,7 +20,9 @@ double spacing(const NumberSystem& s) {
     case NumberMap::digits: length = times_ten_to(1, s.exponent); break;
     case NumberMap::binary: length = std::ldexp(1., s.exponent); break;
   }
-  return length * double(s.step) * std::ldexp(1., s.low_bits);
+  // Of the greatest numbers there are it may overflow.
+  return std::min(length * double(s.step) * std::ldexp(1., s.low_bits),
+                  std::numeric_limits<double>::max());
 }
 
 void set_scales(Numbers& numbers) {

@@ -17,6 +17,7 @@
 #include "codec/numbers/find_system.h"
 #include "codec/numbers/floating_maps.h"
 #include "codec/numbers/near_grid.h"
+#include "codec/numbers/number_format.h"
 #include "codec/numbers/number_maps.h"
 #include "codec/numbers/outliers.h"
 #include "codec/numbers/place_numbers.h"
@@ -118,6 +119,16 @@ auto with_points(const NumberSystem& system, Use use) {
   return with_map<NumberType<T>>(system, scalar_of<T>(), [&](const auto& map) {
     return use([step, &map](std::int64_t k) { return number_of<T>(map.word(k * step, 0)); });
   });
+}
+
+/// Whether a file may have a system with the points of a grid that are near numbers.
+template <class T>
+bool is_writable(const NumberSystem& system, const Grid& grid, const Bounds<T>& bounds) {
+  if (system.map != NumberMap::affine) return true;
+  if (!fault_of_affine(system).empty()) return false;
+  const double farthest = std::max(std::fabs(double(bounds.least) - grid.origin),
+                                   std::fabs(double(bounds.greatest) - grid.origin));
+  return farthest / grid.step + 2 < double(most_integer<NumberType<T>>(system));
 }
 
 /// The point of a grid that is nearest to a number, the lower of two. `k` is near it, and
@@ -289,11 +300,13 @@ class Quantiser {
     QuantisedValues all;
     if (!std::is_floating_point_v<T> && grids[0].step <= 1) return all;
     all.values.resize(count_ * a_.value_size());
+    bool all_writable = true;
     for (std::size_t c = 0; c < numbers_.size(); ++c) {
       Grid grid = grids[c];
       if (std::is_floating_point_v<T> && !keep_zeros)
         if (const auto near = NearGrid(grid.step).find(numbers_[c])) grid = *near;
       NumberSystem system = system_of(grid, a_.scalar, bounds_[c].largest());
+      bool writable = is_writable<T>(system, grid, bounds_[c]);
       const Column<T> column{all.values.data() + c * sizeof(T), a_.value_size()};
       Moved component = move_to(numbers_[c], grid, keep_zeros, system, column);
       if (component.too_far)
@@ -303,11 +316,14 @@ class Quantiser {
           for (std::size_t i = 0; i < count_; ++i) column.set(i, numbers_[c][i]);
           component = {};
           system = *coarser;
+          writable = true;
         }
+      all_writable &= writable;
       all.plan.error = std::max(all.plan.error, component.error);
       all.plan.systems.push_back(system);
     }
     if (all.plan.error == 0) return QuantisedValues{};
+    if (!all_writable) all.plan.systems.clear();
     return all;
   }
 

@@ -20,7 +20,8 @@
 namespace clers::internal {
 
 struct QuantisedValues {
-  /// Has no systems, and no error, where all values stay as they are, bit for bit.
+  /// Has no systems, and no error, where all values stay as they are, bit for bit. Has no systems
+  /// either where numbers or steps are greater or smaller than a file says of a grid.
   AttributePlan plan;
   std::vector<std::byte> values;  ///< as they are decoded, packed, if there is an error
   std::optional<Outliers> outliers = {};

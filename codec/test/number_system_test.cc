@@ -395,6 +395,20 @@ TEST(Numbers, ScalesAreLengthsOfSteps) {
   EXPECT_EQ(coded.numbers.axes[2].scale, 218u);
 }
 
+TEST(Numbers, ScalesOfTheGreatestSteps) {
+  Numbers numbers;
+  numbers.scalar = Scalar::float64;
+  numbers.systems.resize(2);
+  numbers.axes.resize(2);
+  numbers.systems[0].map = NumberMap::digits;
+  numbers.systems[0].exponent = 308;
+  numbers.systems[0].step = 1000;
+  numbers.systems[1].map = NumberMap::quotient;
+  set_scales(numbers);
+  EXPECT_EQ(numbers.axes[0].scale, 65535u);
+  EXPECT_EQ(numbers.axes[1].scale, 1u);
+}
+
 TEST(Numbers, WideDoublesBecomeNarrow) {
   Random random(10);
   std::vector<double> numbers;

