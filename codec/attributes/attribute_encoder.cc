@@ -121,6 +121,11 @@ class AttributeEncoder {
     if (!packed) return Failure{packed.error()};
     if (!packed->frame.empty())
       consider(Coder::planes, packed->predictor, numbered.bytes, packed->frame, words);
+    // Positions that repeat themselves may do so in single components, which that coder looks for.
+    if (is_position && best_.info.coder == name(Coder::planes)) {
+      ranks_to_integers(lattice);
+      take(Coder::named, encode_named_values(lattice, surface_, Domain::vertex));
+    }
     return Done{};
   }
 
