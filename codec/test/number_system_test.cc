@@ -400,8 +400,8 @@ TEST(Numbers, ScalesOfTheGreatestSteps) {
   numbers.scalar = Scalar::float64;
   numbers.systems.resize(2);
   numbers.axes.resize(2);
-  numbers.systems[0].map = NumberMap::digits;
-  numbers.systems[0].exponent = 308;
+  numbers.systems[0].map = NumberMap::binary;
+  numbers.systems[0].exponent = 1020;
   numbers.systems[0].step = 1000;
   numbers.systems[1].map = NumberMap::quotient;
   set_scales(numbers);
