@@ -19,7 +19,7 @@ enum class NamedPredictor : std::uint8_t {
 };
 inline constexpr std::uint32_t named_predictors = 5;
 
-/// How components are told from others; the numbers are the format's.
+/// How components are predicted from others; the numbers are the format's.
 enum class Relation : std::uint8_t {
   none,
   green,  ///< first the second of three; the first and the third are off as it is

@@ -109,7 +109,7 @@ class NamedValueCoder {
   static constexpr std::size_t contexts = 6;
   static constexpr std::int64_t most_off = std::int64_t(1) << 61;
   static constexpr unsigned most_length = std::bit_width(most_wide);
-  static constexpr unsigned steps = 8;  // by which a length differs and that are told apart
+  static constexpr unsigned steps = 8;  // differences of lengths with contexts of their own
 
   struct LengthModel {
     BitModel longer[steps], shorter[steps];

@@ -86,7 +86,7 @@ class ResidualModel {
   }
 
  private:
-  static constexpr unsigned few = 8;  ///< octaves that are told apart
+  static constexpr unsigned few = 8;  ///< octaves with contexts of their own
 
   template <class Coder>
   CLERS_NEVER_INLINE bool code_beyond(Coder& coder, unsigned lane, ResidualContext context,

@@ -2,25 +2,18 @@
 #ifndef CLERS_CODEC_TEST_CODED_ARRAYS_H
 #define CLERS_CODEC_TEST_CODED_ARRAYS_H
 
-#include <gtest/gtest.h>
-
 #include <cstdint>
 #include <random>
 
 #include "codec/connectivity/coded_surface.h"
-#include "codec/connectivity/connectivity.h"
 #include "codec/mesh.h"
-#include "codec/test/polygon_surface.h"
+#include "codec/test/coded_surfaces.h"
 
 namespace clers::internal::test {
 
 /// What is coded of a mesh, with its twins left out.
-inline CodedArrays coded(const Mesh& mesh) {
-  SurfaceCopy consumed = surface_of(mesh);
-  auto connectivity = encode_connectivity(consumed.arrays(), 3, true);
-  EXPECT_TRUE(connectivity.ok());
-  consumed = surface_of(mesh);
-  CodedArrays arrays = coded_surface(consumed.arrays(), *connectivity);
+inline CodedArrays coded_without_twins(const Mesh& mesh) {
+  CodedArrays arrays = coded(mesh);
   arrays.twins.clear();
   return arrays;
 }

@@ -6,28 +6,14 @@
 #include <array>
 #include <vector>
 
-#include "codec/connectivity/connectivity.h"
-#include "codec/soup/adjacency.h"
+#include "codec/test/coded_surfaces.h"
 #include "corpus/generate.h"
 #include "corpus/random.h"
 
 namespace clers::internal {
 namespace {
 
-CodedArrays coded(const Mesh& mesh) {
-  auto twins = find_twins({mesh.corners, mesh.face_sizes}, mesh.vertex_count);
-  EXPECT_TRUE(twins.ok());
-  const auto bytes = encode_connectivity({mesh.corners, *twins, mesh.vertex_count}, 5);
-  const auto header = read_connectivity_header(bytes->bytes, 0);
-  CodedArrays arrays;
-  arrays.corners.resize(mesh.corners.size());
-  arrays.twins.resize(mesh.corners.size());
-  arrays.introduced_by.resize(mesh.vertex_count);
-  EXPECT_TRUE(decode_connectivity(bytes->bytes, 0, *header, arrays.corners, arrays.twins,
-                                  arrays.introduced_by)
-                  .ok());
-  return arrays;
-}
+using test::coded;
 
 using Map = std::array<std::array<double, 4>, 3>;
 

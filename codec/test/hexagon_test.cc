@@ -16,7 +16,7 @@ namespace clers::internal {
 namespace {
 
 using test::any_triangles;
-using test::coded;
+using test::coded_without_twins;
 
 /// Both forms of the search for steps are the same, and lead from lesser vertices.
 void check_steps(const CodedSurface& surface, std::size_t count) {
@@ -45,13 +45,13 @@ TEST(Hexagon, FourAtATimeAsOneByOne) {
   for (const Mesh& mesh : {corpus::icosphere(3), corpus::grid(30, 20), corpus::torus(20, 30),
                            corpus::loose_triangles(50), corpus::strip(60),
                            corpus::flip_edges(corpus::icosphere(3), 2000, 1)}) {
-    const CodedArrays arrays = coded(mesh);
+    const CodedArrays arrays = coded_without_twins(mesh);
     check_steps(arrays.view(), arrays.introduced_by.size());
   }
 }
 
 TEST(Hexagon, IsWhatItsPictureSays) {
-  const CodedArrays arrays = coded(corpus::torus(40, 30));
+  const CodedArrays arrays = coded_without_twins(corpus::torus(40, 30));
   const CodedSurface surface = arrays.view();
   using Triple = std::array<std::uint32_t, 3>;
   std::set<Triple> faces;

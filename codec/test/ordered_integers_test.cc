@@ -22,7 +22,7 @@ namespace {
 using Random = std::mt19937_64;
 
 using test::any_triangles;
-using test::coded;
+using test::coded_without_twins;
 
 std::vector<Axis> axes_of(std::vector<std::uint64_t> tops) {
   std::vector<Axis> axes;
@@ -111,7 +111,7 @@ TEST(OrderedIntegers, NothingToSay) {
 TEST(OrderedIntegers, FewAndExtreme) {
   constexpr std::int32_t narrow = static_cast<std::int32_t>(most_narrow);
   constexpr std::int64_t wide = static_cast<std::int64_t>(most_wide);
-  const CodedArrays none, sphere = coded(corpus::icosphere(1));
+  const CodedArrays none, sphere = coded_without_twins(corpus::icosphere(1));
   for (const CodedArrays* arrays : {&none, &sphere}) {
     check<std::int32_t>({3}, arrays->view(), axes_of({3}));
     check<std::int32_t>({0}, arrays->view(), axes_of({narrow}));
@@ -133,7 +133,7 @@ TEST(OrderedIntegers, FewAndExtreme) {
 }
 
 TEST(OrderedIntegers, EqualValuesTakeNothing) {
-  const CodedArrays sphere = coded(corpus::icosphere(3));
+  const CodedArrays sphere = coded_without_twins(corpus::icosphere(3));
   const std::size_t count = sphere.introduced_by.size();
   std::vector<std::int32_t> rows(2 * count, 1000);
   EXPECT_LT(check(rows, sphere.view(), axes_of({2000, 2000})).size(), 40u);
@@ -147,8 +147,9 @@ RC_GTEST_PROP(OrderedIntegers, ComeBack, (std::uint64_t seed)) {
                                       corpus::loose_triangles(9),
                                       corpus::flip_edges(corpus::icosphere(2), 300, seed)};
   const std::uint32_t vertices = static_cast<std::uint32_t>(1 + random() % 60);
-  const CodedArrays arrays = random() % 3 == 0 ? any_triangles(vertices, vertices, random)
-                                               : coded(meshes[random() % meshes.size()]);
+  const CodedArrays arrays = random() % 3 == 0
+                                 ? any_triangles(vertices, vertices, random)
+                                 : coded_without_twins(meshes[random() % meshes.size()]);
   // Some are isolated: of greater numbers than all in triangles, or among them.
   const std::size_t count = arrays.introduced_by.size() + random() % 5;
   std::vector<std::uint64_t> tops(1 + random() % 7);
@@ -163,7 +164,7 @@ RC_GTEST_PROP(OrderedIntegers, ComeBack, (std::uint64_t seed)) {
 TEST(OrderedIntegers, PartsThatDiffer) {
   // Even and rough parts of a surface have shares of their own, which is smaller.
   Random random(2);
-  const CodedArrays sphere = coded(corpus::icosphere(4));
+  const CodedArrays sphere = coded_without_twins(corpus::icosphere(4));
   std::vector<std::int32_t> rows;
   for (std::size_t i = 0; i < 3 * sphere.introduced_by.size(); ++i)
     rows.push_back(static_cast<std::int32_t>(random() % (i / 1200 % 2 != 0 ? 1000 : 3)));
@@ -176,7 +177,7 @@ TEST(OrderedIntegers, PartsThatDiffer) {
 
 TEST(OrderedIntegers, ManyComponents) {
   Random random(3);
-  const CodedArrays sphere = coded(corpus::icosphere(1));
+  const CodedArrays sphere = coded_without_twins(corpus::icosphere(1));
   std::vector<std::uint64_t> tops(255);
   for (std::uint64_t& top : tops) top = random() % 9 == 0 ? 0 : random() % 1000;
   check_hostile(any_rows<std::int32_t>(50, axes_of(tops), random), sphere.view(), axes_of(tops),
@@ -185,7 +186,7 @@ TEST(OrderedIntegers, ManyComponents) {
 
 TEST(OrderedIntegers, AnyBytes) {
   Random random(4);
-  const CodedArrays sphere = coded(corpus::icosphere(2));
+  const CodedArrays sphere = coded_without_twins(corpus::icosphere(2));
   for (unsigned i = 0; i < 3000; ++i) {
     Bytes bytes(random() % 60);
     for (std::byte& b : bytes) b = std::byte(random() & random() & 0xff);
@@ -201,7 +202,7 @@ TEST(OrderedIntegers, AnyBytes) {
 TEST(OrderedIntegers, SmoothValuesAreCheap) {
   // Latitude-longitude waves on a regular grid: the hexagon sees through what a slope does.
   const Mesh mesh = corpus::grid(60, 60);
-  const CodedArrays arrays = coded(mesh);
+  const CodedArrays arrays = coded_without_twins(mesh);
   std::vector<std::int32_t> rows;
   for (std::size_t v = 0; v < arrays.introduced_by.size(); ++v) rows.push_back(0);
   // A plane over the grid, along a walk over its triangles: corners of a triangle differ by steps.

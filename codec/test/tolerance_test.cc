@@ -93,7 +93,8 @@ TEST(Tolerance, RoundedMeshesAreTheSameWithinTheirError) {
               EXPECT_LE(error.error, t.error);
             }
       }
-      // Positions are told apart, so their renumbering is the only one, and so is the error.
+      // No two positions are near each other, so their renumbering is the only one, and so is the
+      // error.
       if (scale == 40 && bare.face_sizes.empty()) {
         tolerances[0].error = std::nextafter(tolerances[0].error, 0);
         const auto found = compare(mesh, other, tolerances);
