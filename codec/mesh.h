@@ -25,17 +25,25 @@ constexpr const char* name(Domain d) {
   return names[static_cast<unsigned>(d)];
 }
 
-/// Named values, one tuple of `components` scalars for each vertex, corner or face, in their order,
-/// packed, in native byte order. The vertex attribute named "position" holds the places of
-/// vertices.
+/// In Attribute::indices: an element that has no value.
+inline constexpr std::uint32_t no_value = 0xffffffffu;
+
+/// Named values, tuples of `components` scalars, packed, in native byte order. Each vertex, corner
+/// or face has one: in their order, or, as an OBJ's `f 1/2/3` has them, by index. The vertex
+/// attribute named "position" holds the places of vertices, and is not by index.
 struct Attribute {
   std::string name;  ///< UTF-8, at most 255 bytes
   Domain domain = Domain::vertex;
   Scalar scalar = Scalar::float32;
   std::uint8_t components = 1;  ///< at least 1
-  std::vector<std::byte> data;  ///< count * stride() bytes
+  std::vector<std::byte> data;  ///< of all values, stride() bytes each
+
+  /// Empty: element i has value i. Else which value each element has, or no_value. Elements may
+  /// share values, and a value may be that of none.
+  std::vector<std::uint32_t> indices = {};
 
   std::size_t stride() const { return size_of(scalar) * components; }
+  std::size_t value_count() const { return data.size() / stride(); }
   operator AttributeView() const;
 };
 

@@ -26,7 +26,8 @@ struct AttributeView {
   std::uint8_t components = 1;
   /// From the first byte of the first value on. Ends with the last value, or with its stride.
   std::span<const std::byte> data = {};
-  std::size_t stride = 0;  ///< bytes from one value to the next; 0: packed
+  std::size_t stride = 0;                       ///< bytes from one value to the next; 0: packed
+  std::span<const std::uint32_t> indices = {};  ///< as in Attribute
 
   std::size_t value_size() const { return size_of(scalar) * components; }
   std::size_t step() const { return stride == 0 ? value_size() : stride; }
@@ -121,7 +122,7 @@ struct MeshView {
 };
 
 inline Attribute::operator AttributeView() const {
-  return {name, domain, scalar, components, data, 0};
+  return {name, domain, scalar, components, data, 0, indices};
 }
 inline Mesh::operator MeshView() const {
   return {vertex_count, corners, {}, face_sizes, attributes, name, metadata};
