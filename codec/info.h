@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <clers/mesh.h>
+#include <clers/precision.h>
 #include <clers/topology/export.h>
 
 namespace CLERS_VISIBLE clers {
@@ -45,8 +46,9 @@ struct AttributeInfo {
   /// What values have in common, by which they became integers, and what coded these, for people:
   /// "3 decimals", "steps of 0.01", "float, 24 bits"; "sized", "named". Of the first piece.
   std::string numbers, coder;
-  /// By how much a component of its values was changed at most. 0: they come back bit for bit.
+  /// By how much its values were changed at most. 0: they come back bit for bit.
   double error = 0;
+  ErrorMeasure measure = ErrorMeasure::difference;  ///< what the error is
 
   std::uint64_t value_size() const { return size_of(scalar) * components; }
 };

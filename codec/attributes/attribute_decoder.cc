@@ -68,9 +68,9 @@ Lattice<Int> lattice_of(std::vector<Int>& rows, std::span<const Axis> axes) {
 }
 
 /// Rows of `count` values.
-Rows make_rows(const AttributeHeader& header, std::size_t count) {
-  const std::size_t n = count * header.attribute.components;
-  if (header.narrow) return std::vector<std::int32_t>(n);
+Rows make_rows(const Numbers& numbers, std::size_t count) {
+  const std::size_t n = count * numbers.axes.size();
+  if (numbers.narrow()) return std::vector<std::int32_t>(n);
   return std::vector<std::int64_t>(n);
 }
 
@@ -138,7 +138,7 @@ Expected<BegunAttribute> begin_attribute(std::span<const std::byte> bytes, std::
                 "integers of another size than the attribute says");
   begun.numbers = std::move(*numbers);
   if (!header.begins_without_faces()) return begun;
-  begun.rows = make_rows(header, static_cast<std::size_t>(count));
+  begun.rows = make_rows(begun.numbers->numbers(), static_cast<std::size_t>(count));
   const auto coded = integers_of(bytes, header);
   const std::uint64_t coded_at = at + bytes.size() - coded.size();
   const std::vector<Axis> axes = with_ranks(begun.numbers->numbers().axes);
@@ -161,7 +161,7 @@ Expected<Attribute> finish_attribute(std::span<const std::byte> bytes, std::uint
                                      BegunAttribute begun, const CodedSurface& surface) {
   if (header.coder == Coder::words) return words_of(header, std::move(begun.words), surface);
   if (!header.begins_without_faces())
-    begun.rows = make_rows(header, static_cast<std::size_t>(count));
+    begun.rows = make_rows(begun.numbers->numbers(), static_cast<std::size_t>(count));
   const std::vector<Axis>& axes = begun.numbers->numbers().axes;
   const auto coded = integers_of(bytes, header);
   const std::uint64_t coded_at = at + bytes.size() - coded.size();

@@ -51,6 +51,7 @@ class AttributeEncoder {
 
   Expected<EncodedAttribute> run(const AttributePlan& plan) {
     header_.error = plan.error;
+    header_.measure = plan.measure;
     NumberedValues numbered =
         plan.systems.empty()
             ? number_values(attribute_.data, attribute_.scalar, attribute_.components, level_)

@@ -55,7 +55,8 @@ inline std::string in_words(const Numbers& numbers) {
 
 struct AttributeHeader {
   Attribute attribute;  ///< without data
-  double error = 0;     ///< no component is further from what was encoded
+  double error = 0;     ///< no value is further from what was encoded
+  ErrorMeasure measure = ErrorMeasure::difference;
   Coder coder = Coder::words;
   bool narrow = true;                     ///< integers are std::int32_t
   Predictor predictor = Predictor::none;  ///< of words and planes
@@ -85,6 +86,7 @@ inline AttributeInfo info_of(const AttributeHeader& header) {
   AttributeInfo info{a.name, a.domain, a.scalar, a.components};
   info.coder = name(header.coder);
   info.error = header.error;
+  info.measure = header.measure;
   return info;
 }
 
@@ -105,6 +107,7 @@ inline void put_attribute_header(Bytes& out, const AttributeHeader& header) {
   put_u8(out, static_cast<std::uint32_t>(a.scalar));
   put_u8(out, a.components);
   put_u8(out, static_cast<std::uint32_t>(header.coder) | (header.narrow ? 0 : 0x40) |
+                  (header.measure == ErrorMeasure::angle ? 0x20 : 0) |
                   (header.error > 0 ? 0x80 : 0));
   if (header.error > 0) {
     const std::uint64_t error = std::bit_cast<std::uint64_t>(header.error);
@@ -123,12 +126,12 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
   AttributeHeader header;
   const auto name = in.take(in.u8());
   const std::uint32_t domain = in.u8(), scalar = in.u8(), components = in.u8(), how = in.u8();
-  const bool changed = how & 0x80;
+  const bool changed = how & 0x80, by_angle = how & 0x20;
   if (changed) {
     const std::uint64_t low = in.u32(), high = in.u32();
     header.error = std::bit_cast<double>(low | high << 32);
   }
-  const std::uint32_t coder = how & 0x3f;
+  const std::uint32_t coder = how & 0x1f;
   const std::uint32_t predictor = coder <= static_cast<std::uint32_t>(Coder::planes) ? in.u8() : 0;
   if (coder != static_cast<std::uint32_t>(Coder::words)) header.numbers_size = in.varint();
   if (header.numbers_size > in.left()) in.take(header.numbers_size);  // fails
@@ -148,6 +151,8 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
                 "a coder of positions, which must be three components of vertices");
   if (changed && !(header.error > 0 && std::isfinite(header.error)))
     return fail(ErrorCode::invalid, Place::byte, at, "an attribute with an error that is none");
+  if (by_angle && (!changed || components != 3))
+    return fail(ErrorCode::invalid, Place::byte, at, "an attribute with an angle that is none");
   if (predictor > static_cast<std::uint32_t>(Predictor::parallelogram) ||
       (predictor == static_cast<std::uint32_t>(Predictor::parallelogram) &&
        domain != static_cast<std::uint32_t>(Domain::vertex)))
@@ -160,6 +165,7 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
   header.attribute.components = static_cast<std::uint8_t>(components);
   header.coder = static_cast<Coder>(coder);
   header.narrow = (how & 0x40) == 0;
+  header.measure = by_angle ? ErrorMeasure::angle : ErrorMeasure::difference;
   if (header.coder == Coder::words && !header.narrow) return invalid("coder", how);
   header.predictor = static_cast<Predictor>(predictor);
   header.bytes = in.position();

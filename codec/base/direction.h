@@ -23,23 +23,22 @@ inline Vector3 cross(const Vector3& a, const Vector3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// The angle, 0 .. pi, from the x axis to (x, y). Preconditions: finite, y >= 0, not both 0; neither
-/// is so small or large that products or quotients leave the normal numbers.
+/// The angle, 0 .. pi, from the x axis to (x, y). Preconditions: finite, y >= 0, not both 0;
+/// neither is so small or large that products or quotients leave the normal numbers.
 ///
 /// Of the smaller over the larger, t in 0 .. 1, it takes away c = k / 8, the nearest of nine: the
 /// tangent of the rest is r = (t - c) / (1 + t c), at most 1/16, so that six terms of Gregory's
 /// series leave less than 2^-55.
 inline double angle_of(double x, double y) {
-  constexpr std::array<double, 9> arctangent_of_eighths = {
-      0,
-      0x1.fd5ba9aac2f6ep-4,
-      0x1.f5b75f92c80ddp-3,
-      0x1.6f61941e4def1p-2,
-      0x1.dac670561bb4fp-2,
-      0x1.1e00babdefeb4p-1,
-      0x1.4978fa3269ee1p-1,
-      0x1.700a7c5784634p-1,
-      0x1.921fb54442d18p-1};
+  constexpr std::array<double, 9> arctangent_of_eighths = {0,
+                                                           0x1.fd5ba9aac2f6ep-4,
+                                                           0x1.f5b75f92c80ddp-3,
+                                                           0x1.6f61941e4def1p-2,
+                                                           0x1.dac670561bb4fp-2,
+                                                           0x1.1e00babdefeb4p-1,
+                                                           0x1.4978fa3269ee1p-1,
+                                                           0x1.700a7c5784634p-1,
+                                                           0x1.921fb54442d18p-1};
   constexpr double half_turn = 0x1.921fb54442d18p+1;
   const double beside = std::fabs(x);
   const bool steep = y > beside;
@@ -54,8 +53,8 @@ inline double angle_of(double x, double y) {
   return x < 0 ? half_turn - angle : angle;
 }
 
-/// The vector with its largest component made 1 .. 2 by a power of two; false if it has no direction: it
-/// is zero or not finite.
+/// The vector with its largest component made 1 .. 2 by a power of two; false if it has no
+/// direction: it is zero or not finite.
 inline bool to_unit_range(Vector3& v) {
   double most = 0;
   for (const double x : v) {
@@ -98,6 +97,18 @@ inline Vector3 vector_at(Scalar scalar, const std::byte* value) {
     for (std::size_t c = 0; c < 3; ++c) v[c] = static_cast<double>(x[c]);
   });
   return v;
+}
+
+/// Stores a vector of floats as a value.
+inline void put_vector(Scalar scalar, const Vector3& v, std::byte* value) {
+  const auto put = [&](auto type) {
+    using T = decltype(type);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const T x = static_cast<T>(v[c]);
+      std::memcpy(value + c * sizeof(T), &x, sizeof(T));
+    }
+  };
+  scalar == Scalar::float32 ? put(float{}) : put(double{});
 }
 
 }  // namespace clers::internal

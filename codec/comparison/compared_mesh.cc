@@ -2,6 +2,7 @@
 #include "codec/comparison/compared_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <numeric>
@@ -45,6 +46,24 @@ void add_bits(const Attribute& a, std::size_t k, std::vector<Colour>& colours) {
   }
 }
 
+/// Values scaled to length 1, as doubles; what has no direction becomes NaN.
+Attribute unit_vectors(const Attribute& a) {
+  Attribute unit = {a.name, a.domain, Scalar::float64, 3, {}, {}};
+  const std::size_t count = a.data.size() / a.stride();
+  unit.data.resize(count * unit.stride());
+  for (std::size_t i = 0; i < count; ++i) {
+    Vector3 v = vector_at(a.scalar, a.data.data() + i * a.stride());
+    if (to_unit_range(v)) {
+      const double length = std::sqrt(dot(v, v));
+      for (double& x : v) x /= length;
+    } else {
+      v.fill(std::numeric_limits<double>::quiet_NaN());
+    }
+    put_vector(Scalar::float64, v, unit.data.data() + i * unit.stride());
+  }
+  return unit;
+}
+
 void colour_domain(ComparedMesh& a, ComparedMesh& b, Domain domain, Nearness nearness) {
   const auto [begin, end] = a.of_domain[static_cast<std::size_t>(domain)];
   for (std::size_t k = begin; k < end; ++k) {
@@ -52,6 +71,15 @@ void colour_domain(ComparedMesh& a, ComparedMesh& b, Domain domain, Nearness nea
     if (!a.tolerance[k]) {
       add_bits(x, k, colours_of(a, x));
       add_bits(y, k, colours_of(b, y));
+      continue;
+    }
+    if (a.measure[k] == ErrorMeasure::angle) {
+      // Components of unit vectors are no further apart than the vectors, and these no further
+      // than the arc; what rounding adds is less than a thousandth of a millionth.
+      const Attribute u = unit_vectors(x), v = unit_vectors(y);
+      for (std::size_t c = 0; c < 3; ++c)
+        add_near_values(u, v, c, *a.tolerance[k] * 0.01746 + 1e-9, nearness, colours_of(a, x),
+                        colours_of(b, y));
       continue;
     }
     for (std::size_t c = 0; c < x.components; ++c)
@@ -75,6 +103,8 @@ ComparedMesh::ComparedMesh(const Mesh& mesh, std::span<const Tolerance> toleranc
       return t.name == a.name && (!t.domain || t.domain == a.domain);
     });
     tolerance.push_back(given != tolerances.end() ? std::optional(given->error) : std::nullopt);
+    const bool by_angle = given != tolerances.end() && a.components == 3;
+    measure.push_back(by_angle ? given->measure : ErrorMeasure::difference);
   }
 }
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "codec/base/difference.h"
+#include "codec/base/direction.h"
 #include "codec/base/faces.h"
 #include "codec/comparison/colours.h"
 #include "codec/comparison/near_values.h"
@@ -35,6 +36,7 @@ struct ComparedMesh {
   std::array<std::pair<std::size_t, std::size_t>, 3> of_domain = {};
   /// Of each attribute, the largest difference that is none; not set: bits are compared.
   std::vector<std::optional<double>> tolerance;
+  std::vector<ErrorMeasure> measure;  ///< what differences of each are
   std::vector<Colour> colour;         ///< of each vertex: its values, until it is refined
   std::vector<Colour> corner_values;  ///< of each corner; empty: has none
   std::vector<Colour> face_values;    ///< of each face; empty: has none
@@ -71,9 +73,12 @@ struct ComparedMesh {
         return false;
     return true;
   }
-  /// The largest difference of a component of attribute k.
+  /// The largest difference of a component of attribute k, or the angle.
   double difference_of(std::size_t k, std::uint32_t i, const ComparedMesh& other,
                        std::uint32_t j) const {
+    if (measure[k] == ErrorMeasure::angle)
+      return degrees_between(vector_at(attributes[k]->scalar, value(k, i)),
+                             vector_at(attributes[k]->scalar, other.value(k, j)));
     return difference(attributes[k]->scalar, value(k, i), other.value(k, j),
                       attributes[k]->components);
   }

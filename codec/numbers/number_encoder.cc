@@ -229,7 +229,7 @@ EncodedColumn encode_column(PlacedColumn column, const Map& map, int level, Inte
 template <class T>
 std::optional<NumberSystem> in_decimals(const std::vector<WordOf<T>>& numbers) {
   if constexpr (std::is_floating_point_v<T>) {
-    for (unsigned decimals = 1; decimals <= 9; ++decimals) {
+    for (unsigned decimals = 1; decimals <= (sizeof(T) == 4 ? 7u : 14u); ++decimals) {
       NumberSystem system;
       system.map = NumberMap::quotient;
       system.divisor = integer_tens[decimals];
@@ -246,6 +246,21 @@ std::optional<NumberSystem> in_decimals(const std::vector<WordOf<T>>& numbers) {
   return std::nullopt;
 }
 
+/// Directions as points of a grid that they are on.
+NumberedValues put_into_octahedral(std::span<const std::byte> values, Scalar scalar,
+                                   unsigned bits) {
+  NumberedValues out;
+  out.numbers = octahedral_numbers(scalar, bits);
+  put_octahedral(out.bytes, bits);
+  const OctahedralGrid grid(bits);
+  for (std::size_t at = 0; at < values.size(); at += 3 * size_of(scalar)) {
+    const Vector3 direction = vector_at(scalar, values.data() + at);
+    for (const std::int32_t k : grid.integers(grid.nearest(grid.project(direction))))
+      out.narrow.push_back(k);
+  }
+  return out;
+}
+
 template <class Int>
 void set_rows(const std::vector<EncodedColumn>& columns, std::vector<Int>& rows) {
   const std::size_t count = columns.front().ks.size(), components = columns.size();
@@ -258,9 +273,10 @@ void set_rows(const std::vector<EncodedColumn>& columns, std::vector<Int>& rows)
 }  // namespace
 
 NumberedValues put_into_systems(std::span<const std::byte> values, Scalar scalar,
-                                std::vector<NumberSystem> systems, int level,
-                                Integers integers) {
+                                std::vector<NumberSystem> systems, int level, Integers integers) {
   const DoublePrecision doubles;
+  if (!systems.empty() && systems[0].map == NumberMap::octahedral)
+    return put_into_octahedral(values, scalar, systems[0].precision);
   const std::size_t components = systems.size();
   std::vector<EncodedColumn> columns;
   for (std::size_t c = 0; c < components; ++c) {

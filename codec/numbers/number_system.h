@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "codec/numbers/lattice.h"
+#include "codec/precision.h"
 #include "codec/scalar.h"
 
 namespace clers::internal {
@@ -77,6 +78,7 @@ struct Numbers {
 struct AttributePlan {
   std::vector<NumberSystem> systems = {};  ///< as in Numbers; none: they are found
   double error = 0;                        ///< of the values, which are in the systems already
+  ErrorMeasure measure = ErrorMeasure::difference;
 };
 
 /// How far apart two neighbours on an axis are; 0 where that is not the same everywhere.

@@ -1,5 +1,5 @@
-// Directions as two integers: points of a grid on an octahedron, unfolded into a square (Meyer et al.,
-// On floating-point normal vectors, 2010).
+// Directions as two integers: points of a grid on an octahedron, unfolded into a square (Meyer et
+// al., On floating-point normal vectors, 2010).
 //
 //      +-----+-----+        The upper half, z >= 0, is the diamond in the middle; the triangles of the
 //      |   / | \   |        lower one are folded out around it. Points of the grid have
@@ -29,12 +29,11 @@ struct OctahedralPoint {
   friend bool operator==(const OctahedralPoint&, const OctahedralPoint&) = default;
 };
 
-/// Sums of squares of a grid's points are doubles, exactly.
-inline constexpr unsigned min_octahedral_bits = 2, max_octahedral_bits = 26;
-
+/// Its bits are so few that sums of squares are doubles, exactly, and that points are still apart
+/// once they are rounded to floats.
 class OctahedralGrid {
  public:
-  /// Precondition: min_octahedral_bits <= bits <= max_octahedral_bits.
+  /// Precondition: min_direction_bits <= bits <= max_direction_bits (precision.h).
   explicit OctahedralGrid(unsigned bits) : s_((std::int32_t(1) << (bits - 1)) - 1) {}
 
   std::int32_t size() const { return s_; }  ///< S
@@ -82,7 +81,8 @@ class OctahedralGrid {
       for (const std::int32_t j : {0, 1}) {
         const OctahedralPoint p = {{x + i, y + j, s_ - (x + i) - (y + j)}};
         if (p[2] < 0) continue;
-        const double along = (magnitude[0] * p[0] + magnitude[1] * p[1] + magnitude[2] * p[2]) / length(p);
+        const double along =
+            (magnitude[0] * p[0] + magnitude[1] * p[1] + magnitude[2] * p[2]) / length(p);
         if (!(along > most)) continue;
         most = along;
         best = p;
