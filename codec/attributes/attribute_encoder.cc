@@ -10,6 +10,8 @@
 #include "codec/attributes/integer_planes.h"
 #include "codec/attributes/mixed_coder.h"
 #include "codec/attributes/named_values_encoder.h"
+#include "codec/attributes/normal_values_decoder.h"
+#include "codec/attributes/normal_values_encoder.h"
 #include "codec/attributes/ordered_integers.h"
 #include "codec/attributes/planes.h"
 #include "codec/attributes/sized_positions.h"
@@ -54,6 +56,7 @@ class AttributeEncoder {
 
   Expected<EncodedAttribute> run(const AttributePlan& plan) {
     header_.error = plan.error;
+    header_.measure = plan.measure;
     NumberedValues numbered =
         plan.systems.empty()
             ? number_values(attribute_.data, attribute_.scalar, attribute_.components, level_)
@@ -106,6 +109,8 @@ class AttributeEncoder {
     if (!is_position && level_ >= 5)
       take(Coder::named, encode_named_values(lattice, surface_of(header_, lattice.count(), along_),
                                              header_.coded_domain()));
+    if (!is_position && level_ >= 5 && of_vertices() && may_be_normals(numbered.numbers, along_))
+      take(Coder::normals, encode_normals<Int>(rows, numbered.numbers, along_));
     if (is_position && level_ == 9) take(Coder::mixed, encode_mixed(surface_, lattice));
     if (is_position && level_ >= 7)
       take(Coder::sized, encode_sized_positions(surface_, lattice, VisitOrder::parallelograms));
@@ -178,7 +183,7 @@ Expected<EncodedAttribute> encode_attribute(const Attribute& attribute,
     ValueArrays arrays;
     if (header.any) arrays = make_value_surface(faces, domain, way.structure, values.value_count());
     const ValueSurface along =
-        header.any ? arrays.view(position) : ValueSurface{faces.surface, {}, position};
+        header.any ? arrays.view(position) : ValueSurface{faces.surface, {}, {}, position};
     auto coded = encode_attribute(values, header, along, level, plan);
     if (!coded) return coded;
     coded->info.count = header.indexed ? header.distinct : elements;

@@ -171,12 +171,15 @@ std::optional<std::vector<Refinement>> refinements_of(const std::vector<std::uin
 }
 
 template <class T, class Map>
-EncodedColumn encode_column(PlacedColumn column, const Map& map, int level) {
+EncodedColumn encode_column(PlacedColumn column, const Map& map, int level, Integers integers) {
   EncodedColumn out;
   NumberColumn& header = out.header;
   header.system = column.system;
   // Low bits that are all ones may be beyond what there are numbers of.
-  for (unsigned low = choose_low_bits(column);; --low) {
+  const auto width = static_cast<unsigned>(std::bit_width(column.top));
+  const unsigned most_low =
+      integers == Integers::as_coded ? choose_low_bits(column) : width - std::min(width, 60u);
+  for (unsigned low = most_low;; --low) {
     header.system.low_bits = static_cast<std::uint8_t>(low);
     header.axis.top = column.top >> low;
     if (low == 0 || fault_of<T>(header).empty()) break;
@@ -191,7 +194,8 @@ EncodedColumn encode_column(PlacedColumn column, const Map& map, int level) {
     for (std::uint64_t& k : column.ks) k >>= s.low_bits;
     for (const Stray& stray : column.strays) known[stray.index] = {};
   }
-  header.axis.palette = choose_palette(column.ks, header.axis.top);
+  if (integers == Integers::as_coded)
+    header.axis.palette = choose_palette(column.ks, header.axis.top);
   if (!header.axis.palette.empty())
     out.palette = encode_stream(
         [&](auto& coder) { code_palette(coder, header.axis.palette, header.axis.top); });
@@ -221,6 +225,42 @@ EncodedColumn encode_column(PlacedColumn column, const Map& map, int level) {
   return out;
 }
 
+/// The system of the fewest decimals that all numbers have, but a few; none if they have many.
+template <class T>
+std::optional<NumberSystem> in_decimals(const std::vector<WordOf<T>>& numbers) {
+  if constexpr (std::is_floating_point_v<T>) {
+    for (unsigned decimals = 1; decimals <= (sizeof(T) == 4 ? 7u : 14u); ++decimals) {
+      NumberSystem system;
+      system.map = NumberMap::quotient;
+      system.divisor = integer_tens[decimals];
+      const QuotientMap<T> map(system, scalar_of<T>());
+      std::size_t strays = 0;
+      for (const auto word : numbers) {
+        const auto made = map.word(map.locate(word).n, 0);
+        if (made != word && magnitude(word) != 0 && ++strays > numbers.size() / 256) break;
+        system.signed_zero |= made != word && magnitude(word) == 0;
+      }
+      if (strays <= numbers.size() / 256) return system;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Directions as points of a grid that they are on.
+NumberedValues put_into_octahedral(std::span<const std::byte> values, Scalar scalar,
+                                   unsigned bits) {
+  NumberedValues out;
+  out.numbers = octahedral_numbers(scalar, bits);
+  put_octahedral(out.bytes, bits);
+  const OctahedralGrid grid(bits);
+  for (std::size_t at = 0; at < values.size(); at += 3 * size_of(scalar)) {
+    const Vector3 direction = vector_at(scalar, values.data() + at);
+    for (const std::int32_t k : grid.integers(grid.nearest(grid.project(direction))))
+      out.narrow.push_back(k);
+  }
+  return out;
+}
+
 template <class Int>
 void set_rows(const std::vector<EncodedColumn>& columns, std::vector<Int>& rows) {
   const std::size_t count = columns.front().ks.size(), components = columns.size();
@@ -233,8 +273,10 @@ void set_rows(const std::vector<EncodedColumn>& columns, std::vector<Int>& rows)
 }  // namespace
 
 NumberedValues put_into_systems(std::span<const std::byte> values, Scalar scalar,
-                                std::vector<NumberSystem> systems, int level) {
+                                std::vector<NumberSystem> systems, int level, Integers integers) {
   const DoublePrecision doubles;
+  if (!systems.empty() && systems[0].map == NumberMap::octahedral)
+    return put_into_octahedral(values, scalar, systems[0].precision);
   const std::size_t components = systems.size();
   std::vector<EncodedColumn> columns;
   for (std::size_t c = 0; c < components; ++c) {
@@ -242,7 +284,8 @@ NumberedValues put_into_systems(std::span<const std::byte> values, Scalar scalar
       using T = decltype(type);
       const auto numbers = words_of<T>(values, {scalar, components, c});
       return with_map<T>(systems[c], scalar, [&](const auto& map) {
-        return encode_column<T>(place_column<T>(std::span(numbers), systems[c], map), map, level);
+        return encode_column<T>(place_column<T>(std::span(numbers), systems[c], map), map, level,
+                                integers);
       });
     }));
   }
@@ -272,6 +315,27 @@ NumberedValues number_values(std::span<const std::byte> values, Scalar scalar,
                             level < 5 ? Search::quick : Search::thorough);
     }));
   return put_into_systems(values, scalar, std::move(systems), level);
+}
+
+std::vector<NumberedValues> number_for_lines(std::span<const std::byte> values, Scalar scalar,
+                                             std::size_t components, int level) {
+  const DoublePrecision doubles;
+  std::vector<NumberSystem> words(components), found;
+  for (std::size_t c = 0; c < components; ++c)
+    with_number_type(scalar, [&](auto type) {
+      using T = decltype(type);
+      const auto numbers = words_of<T>(values, {scalar, components, c});
+      std::optional<NumberSystem> system = in_decimals<T>(numbers);
+      if (!system) system = find_system<T>(numbers, Search::thorough);
+      const bool whole = system->map != NumberMap::digits && system->map != NumberMap::binary;
+      found.push_back(whole ? *system : NumberSystem{});
+    });
+  std::vector<NumberedValues> all;
+  all.push_back(put_into_systems(values, scalar, words, level, Integers::whole));
+  if (std::any_of(found.begin(), found.end(),
+                  [](const NumberSystem& s) { return s.map != NumberMap::word; }))
+    all.push_back(put_into_systems(values, scalar, found, level, Integers::whole));
+  return all;
 }
 
 void put_plain_numbers(Bytes& out, const Numbers& numbers) {

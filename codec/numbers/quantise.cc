@@ -14,6 +14,7 @@
 
 #include "codec/base/difference.h"
 #include "codec/base/portable.h"
+#include "codec/numbers/directions.h"
 #include "codec/numbers/find_system.h"
 #include "codec/numbers/floating_maps.h"
 #include "codec/numbers/near_grid.h"
@@ -238,9 +239,7 @@ template <class T>
 class Quantiser {
  public:
   Quantiser(const AttributeView& a, const Precision& precision)
-      : a_(a),
-        precision_(precision),
-        count_(a.data.empty() ? 0 : 1 + (a.data.size() - a.value_size()) / a.step()) {
+      : a_(a), precision_(precision), count_(value_count(a)) {
     for (std::size_t c = 0; c < a.components; ++c) numbers_.push_back(numbers_of<T>(a, count_, c));
   }
 
@@ -340,6 +339,13 @@ class Quantiser {
 std::string precision_fault(const Precision& precision) {
   switch (precision.kind) {
     case Kind::lossless: return "";
+    case Kind::directions:
+      if (precision.bits >= min_direction_bits && precision.bits <= max_direction_bits) return "";
+      return std::to_string(precision.bits) + " bits of directions, expected " +
+             std::to_string(min_direction_bits) + " to " + std::to_string(max_direction_bits);
+    case Kind::recomputed:
+      if (precision.size > 0 && precision.size <= 180) return "";
+      return "an angle that is not in 0 to 180 degrees";
     case Kind::bits:
       if (precision.bits >= min_bits && precision.bits <= max_bits) return "";
       return std::to_string(precision.bits) + " bits, expected " + std::to_string(min_bits) +
@@ -359,6 +365,16 @@ std::string precision_fault(const Precision& precision) {
 
 Expected<QuantisedValues> quantise(const AttributeView& attribute, const Precision& precision) {
   if (precision.kind == Kind::lossless) return QuantisedValues{};
+  const bool directions = precision.kind == Kind::directions ||
+                          (precision.kind == Kind::bits && precision.or_directions &&
+                           precision.bits >= min_direction_bits &&
+                           precision.bits <= max_direction_bits && are_unit_vectors(attribute));
+  if (directions && (attribute.components != 3 || !is_float(attribute.scalar)))
+    return fail(ErrorCode::bad_option, "'" + std::string(attribute.name) + "' has " +
+                                           std::to_string(attribute.components) + " " +
+                                           name(attribute.scalar) +
+                                           " a value, and directions have 3 floats");
+  if (directions) return quantise_directions(attribute, static_cast<unsigned>(precision.bits));
   const DoublePrecision doubles;
   const std::size_t origins = precision.origin.size();
   if (precision.kind == Kind::grid && origins != 1 && origins != attribute.components)
