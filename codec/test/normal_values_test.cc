@@ -55,12 +55,14 @@ Attribute positions(std::size_t vertices, Places kind) {
 std::vector<Ground> grounds() {
   std::vector<Ground> all;
   unsigned kind = 0;
-  for (const CodedArrays& arrays : test::coded_surfaces()) {
+  const auto surfaces = test::coded_surfaces();
+  for (std::size_t i = 0; i < surfaces.size(); i += i < 9 ? 1 : 19) {
+    const CodedArrays& arrays = surfaces[i];
     const std::size_t vertices = arrays.introduced_by.size();
     // Some values in no triangle.
     const std::size_t values = vertices + kind % 3;
     all.push_back({arrays, values, positions(values, Places(kind++ % 4))});
-    if (all.size() % 9 != 0) continue;
+    if (kind % 3 != 0) continue;
     // Values at other vertices, two at each; then corners that have others again.
     Ground wedges = all.back();
     wedges.position = positions(values / 2 + 1, Places::rough);
@@ -291,7 +293,7 @@ TEST(NormalValues, AreaNoneAndPlacesTogether) {
 TEST(NormalValues, NoBytesHarm) {
   corpus::Random random(5);
   const auto all_grounds = grounds();
-  for (std::size_t g = 0; g < all_grounds.size(); g += 17) {
+  for (std::size_t g = 0; g < all_grounds.size(); g += 23) {
     const Ground& ground = all_grounds[g];
     for (const Rows& given : rows_of(ground.values, g)) {
       const Bytes bytes = encode_normals<std::int64_t>(given.rows, given.numbers, ground.along());
