@@ -74,8 +74,8 @@ class MixedContexts {
 
  private:
   static constexpr unsigned most_length = 62;
-  static constexpr unsigned lengths = 24;   ///< with decisions of their own
-  static constexpr unsigned own_bits = 12;  ///< lengths with bits of their own
+  static constexpr unsigned lengths = 16;   ///< with decisions of their own
+  static constexpr unsigned own_bits = 7;  ///< lengths with bits of their own
   static constexpr unsigned zero = 0, sign = 1, longer = 2, next = longer + lengths,
                             decisions = next + 3 * (own_bits - 1);
   static constexpr unsigned most_seen = 250;

@@ -3,6 +3,7 @@
 #ifndef CLERS_CODEC_BASE_DIRECTION_H
 #define CLERS_CODEC_BASE_DIRECTION_H
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -97,6 +98,13 @@ inline Vector3 vector_at(Scalar scalar, const std::byte* value) {
     for (std::size_t c = 0; c < 3; ++c) v[c] = static_cast<double>(x[c]);
   });
   return v;
+}
+
+/// The angle between two values of three numbers, in degrees: the one meaning of it for who states
+/// an error, and for who looks whether it is true. 0 if they have the same bits, else more.
+inline double angle_between(Scalar scalar, const std::byte* a, const std::byte* b) {
+  if (std::memcmp(a, b, 3 * size_of(scalar)) == 0) return 0;
+  return std::max(degrees_between(vector_at(scalar, a), vector_at(scalar, b)), 0x1p-50);
 }
 
 /// Stores a vector of floats as a value.

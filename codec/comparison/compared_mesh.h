@@ -91,8 +91,7 @@ struct ComparedMesh {
   double difference_of(std::size_t k, std::uint32_t i, const ComparedMesh& other,
                        std::uint32_t j) const {
     if (measure[k] == ErrorMeasure::angle)
-      return degrees_between(vector_at(attributes[k]->scalar, value(k, i)),
-                             vector_at(attributes[k]->scalar, other.value(k, j)));
+      return angle_between(attributes[k]->scalar, value(k, i), other.value(k, j));
     return difference(attributes[k]->scalar, value(k, i), other.value(k, j),
                       attributes[k]->components);
   }

@@ -119,7 +119,7 @@ class Recomputing {
       const std::size_t value = a_.indices.empty() ? ground_.value_of[i] : i;
       std::byte* const to = all.values.data() + i * a_.value_size();
       std::memcpy(to, best_.data() + value * a_.value_size(), a_.value_size());
-      all.plan.error = std::max(all.plan.error, angle_error(a_.scalar, a_.value(i), to));
+      all.plan.error = std::max(all.plan.error, angle_between(a_.scalar, a_.value(i), to));
     }
     if (all.plan.error > degrees_) return QuantisedValues{};
     if (all.plan.error == 0) all.values.clear();
@@ -153,7 +153,7 @@ class Recomputing {
       if (dot(normal, vectors_[v]) < 0)
         for (double& x : normal) x = -x;
       store(normal, to);
-      if (angle_error(a_.scalar, a_.value(ground_.element_of[v]), to) <= degrees_) return true;
+      if (angle_between(a_.scalar, a_.value(ground_.element_of[v]), to) <= degrees_) return true;
     }
     store(vectors_[v], to);
     return false;

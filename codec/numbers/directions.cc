@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string>
 
 #include "codec/base/direction.h"
@@ -33,11 +32,6 @@ Failure<Error> no_direction(const AttributeView& a, std::size_t value) {
               "'" + std::string(a.name) + "' is zero or not finite, which is no direction");
 }
 
-double angle_error(Scalar scalar, const std::byte* before, const std::byte* after) {
-  if (std::memcmp(before, after, 3 * size_of(scalar)) == 0) return 0;
-  return std::max(degrees_between(vector_at(scalar, before), vector_at(scalar, after)), 0x1p-50);
-}
-
 Expected<QuantisedValues> quantise_directions(const AttributeView& a, unsigned bits) {
   const DoublePrecision doubles;
   const OctahedralGrid grid(bits);
@@ -49,7 +43,7 @@ Expected<QuantisedValues> quantise_directions(const AttributeView& a, unsigned b
     if (!to_unit_range(v)) return no_direction(a, i);
     std::byte* const to = all.values.data() + i * a.value_size();
     put_vector(a.scalar, OctahedralGrid::direction(grid.nearest(grid.project(v))), to);
-    all.plan.error = std::max(all.plan.error, angle_error(a.scalar, a.value(i), to));
+    all.plan.error = std::max(all.plan.error, angle_between(a.scalar, a.value(i), to));
   }
   if (count == 0 || all.plan.error == 0) all.values.clear();
   all.plan.systems = octahedral_systems(bits);

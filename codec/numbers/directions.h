@@ -24,10 +24,6 @@ bool are_unit_vectors(const AttributeView& attribute);
 /// Cost: linear.
 Expected<QuantisedValues> quantise_directions(const AttributeView& attribute, unsigned bits);
 
-/// The error of a value and what it is moved to, in degrees: more than 0 unless they have the same
-/// bits.
-double angle_error(Scalar scalar, const std::byte* before, const std::byte* after);
-
 /// That a value has no direction.
 Failure<Error> no_direction(const AttributeView& attribute, std::size_t value);
 
