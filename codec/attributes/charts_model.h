@@ -165,8 +165,9 @@ class ChartsModel {
       const bool unfolds = unfold(a.place, b.place, o.place, place, flat);
       for (unsigned c = 0; c < 2; ++c) {
         const std::int64_t from = a.value[c], to_b = b.value[c] - from, to_o = o.value[c] - from;
-        straight[i][c] = 4 * std::clamp<std::int64_t>(from + to_b - to_o, 0, top_[c]);
-        shaped[i][c] = unfolds ? inside(c, 4 * from + flattened(flat, to_b, to_o)) : straight[i][c];
+        straight[i][c] = 4 * bounded(from + to_b - to_o, top_[c]);
+        shaped[i][c] =
+            unfolds ? bounded(4 * from + flattened(flat, to_b, to_o), 4 * top_[c]) : straight[i][c];
         sizes[c] += a.size[c] + b.size[c] + o.size[c];
       }
       shape_sizes += a.shape + b.shape + o.shape;
@@ -187,7 +188,7 @@ class ChartsModel {
     for (unsigned c = 0; c < 2; ++c) {
       if (c == 1) expected[1] = (3 * expected[1] + size[0] - 1) / 4;
       const ResidualContext context(2 * c, static_cast<unsigned>(expected[c]));
-      const std::int64_t r = code_one(coder, c, v, predicted[c], context, n - 1);
+      const std::int64_t r = code_one(coder, c, v, inside(c, predicted[c]), context, n - 1);
       size[c] = static_cast<std::uint8_t>(size_of(magnitude(r)) + 1);
     }
     remember(v, size, off(v, by_shape), off(v, by_parallelogram));
@@ -208,6 +209,10 @@ class ChartsModel {
     if constexpr (sizeof(Int) == 4) return to;
     constexpr std::int64_t most = std::int64_t(1) << 36;
     return std::clamp(to, -most, most) * (std::int64_t(1) << down_);
+  }
+  /// Within 0 .. most, where something would overflow if it were not.
+  CLERS_ALWAYS_INLINE static std::int64_t bounded(std::int64_t x, std::int64_t most) {
+    return sizeof(Int) == 4 ? x : std::clamp<std::int64_t>(x, 0, most);
   }
   /// Within the values that there are, in quarters.
   CLERS_ALWAYS_INLINE std::int64_t inside(unsigned c, std::int64_t quarters) const {

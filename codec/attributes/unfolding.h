@@ -25,14 +25,10 @@
 
 namespace clers::internal {
 
-/// The square root, rounded down.
-CLERS_ALWAYS_INLINE std::uint32_t square_root(std::uint64_t n) {
-  // The machine's is right to a bit or so, whatever it does.
-  auto r = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(n)));
-  r = std::min<std::uint64_t>(r, 0xffffffffu);
-  while (r * r > n) --r;
-  while (r < 0xffffffffu && (r + 1) * (r + 1) <= n) ++r;
-  return static_cast<std::uint32_t>(r);
+/// The square root, rounded down. Precondition: 0 <= n <= 2^52.
+CLERS_ALWAYS_INLINE std::int64_t square_root(std::int64_t n) {
+  // n is a double, and so are the square roots of r^2 - 1 for all r: none is rounded up to r.
+  return static_cast<std::int64_t>(std::sqrt(static_cast<double>(n)));
 }
 
 /// An edge, or a cross product of two: below 2^44 each.
@@ -49,16 +45,16 @@ CLERS_ALWAYS_INLINE std::int64_t dot(const Arrow& a, const Arrow& b) {
 
 /// The square of the length of a cross product is `square` 4^shift, about.
 struct CrossSquare {
-  std::uint64_t square;  ///< below 2^32
+  std::int64_t square;  ///< at most 3 * 2^24
   int shift;
 
   CLERS_ALWAYS_INLINE CrossSquare(const Arrow& a, const Arrow& b) {
     const std::int64_t x = a.y * b.z - a.z * b.y, y = a.z * b.x - a.x * b.z,
                        z = a.x * b.y - a.y * b.x;
     const auto bits = [](std::int64_t k) { return static_cast<std::uint64_t>(k ^ (k >> 63)); };
-    shift = std::max(static_cast<int>(std::bit_width(bits(x) | bits(y) | bits(z))) - 15, 0);
+    shift = std::max(static_cast<int>(std::bit_width(bits(x) | bits(y) | bits(z))) - 12, 0);
     const std::int64_t i = x >> shift, j = y >> shift, k = z >> shift;
-    square = static_cast<std::uint64_t>(i * i + j * j + k * k);
+    square = i * i + j * j + k * k;
   }
 };
 
@@ -69,30 +65,27 @@ struct Unfolded {
 inline constexpr int unfolded_bits = 16;
 
 /// False where a triangle has no area, or the map takes v too far: nothing is in `to` then.
-/// Otherwise both are below 2^27.
+/// Otherwise both are below 2^25.
 CLERS_ALWAYS_INLINE bool unfold(const GridPlace& a, const GridPlace& b, const GridPlace& o,
                                 const GridPlace& v, Unfolded& to) {
   const Arrow e = arrow(a, b), toward_o = arrow(a, o), toward_v = arrow(a, v);
-  std::int64_t length = dot(e, e), along_v = dot(e, toward_v), along_o = dot(e, toward_o);
   const CrossSquare of_v(e, toward_v), of_o(e, toward_o);
-  constexpr std::int64_t farthest = 16;  // in lengths of the side
-  if (of_o.square == 0 || std::abs(along_v) > farthest * length ||
-      std::abs(along_o) > farthest * length)
-    return false;
   const int shift = of_v.shift - of_o.shift;
-  if (shift > 8) return false;
-  // t / t' = sqrt(t^2 t'^2) / t'^2
-  const std::uint64_t root = std::uint64_t(square_root(of_v.square * of_o.square)) << unfolded_bits;
-  std::uint64_t r = root / of_o.square;
-  r = shift >= 0 ? r << shift : shift > -32 ? r >> -shift : 0;
-  if (r > std::uint64_t(farthest) << unfolded_bits) return false;
+  if (of_o.square == 0 || shift > 8) return false;
+  // t / t' = sqrt(t^2 t'^2) / t'^2, which is at most 2^8 2^16 2^8
+  const std::int64_t root = square_root(of_v.square * of_o.square);
+  const std::int64_t ratio = (root << unfolded_bits) / of_o.square;
+  to.r = shift >= 0 ? ratio << shift : ratio >> std::min(-shift, 63);
   // So that products with r fit.
+  std::int64_t length = dot(e, e);
   const int down =
       std::max(static_cast<int>(std::bit_width(static_cast<std::uint64_t>(length))) - 32, 0);
+  const std::int64_t along_v = dot(e, toward_v) >> down, along_o = dot(e, toward_o) >> down;
   length >>= down;
-  along_v >>= down;
-  along_o >>= down;
-  to.r = static_cast<std::int64_t>(r);
+  constexpr std::int64_t farthest = 16;  // in lengths of the side
+  const std::int64_t far = farthest * length;
+  if (to.r > farthest << unfolded_bits || std::abs(along_v) > far || std::abs(along_o) > far)
+    return false;
   to.q = (along_v * (1 << unfolded_bits) + to.r * along_o) / length;
   return true;
 }
@@ -106,9 +99,9 @@ inline bool unfold_alike(const GridPlace& a, const GridPlace& b, const GridPlace
   if (length == 0 || std::abs(along) > farthest * length) return false;
   const CrossSquare across(e, toward_v);
   to.q = along * (1 << unfolded_bits) / length;
-  // Below 2^44 2^16, as the cross product is no longer than e times v - a.
-  const std::uint64_t away = std::uint64_t(square_root(across.square << 16)) << 8 << across.shift;
-  to.r = static_cast<std::int64_t>(away / static_cast<std::uint64_t>(length));
+  // At most 2^13 2^16 2^31.
+  const std::int64_t away = square_root(across.square << 16) << 8 << across.shift;
+  to.r = away / length;
   return to.r <= farthest << unfolded_bits;
 }
 
