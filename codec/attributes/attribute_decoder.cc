@@ -78,14 +78,14 @@ Rows make_rows(const AttributeHeader& header, std::size_t count) {
 template <class Int>
 Expected<Done> finish_integers(const AttributeHeader& header, OrderPredictor predictor,
                                std::span<const std::byte> coded, std::uint64_t at,
-                               const CodedSurface& surface, const Lattice<Int>& lattice) {
+                               const ValueSurface& along, const Lattice<Int>& lattice) {
+  const CodedSurface& surface = along.surface;
   if (header.coder == Coder::mixed) return decode_mixed(coded, at, surface, lattice);
   if (header.coder == Coder::sized) return decode_sized_positions(coded, at, surface, lattice);
   if (header.coder == Coder::named)
-    return decode_named_values(coded, at, lattice.axes,
-                               surface_of(header.attribute, lattice.count(), surface), lattice.rows,
-                               header.attribute.domain);
-  const bool of_vertices = header.attribute.domain == Domain::vertex;
+    return decode_named_values(coded, at, lattice.axes, surface_of(header, lattice.count(), along),
+                               lattice.rows, header.coded_domain());
+  const bool of_vertices = header.coded_domain() == Domain::vertex;
   const std::vector<Axis> axes = with_ranks(lattice.axes);
   const Lattice<Int> ranks{lattice.rows, axes};
   const auto ok = header.coder == Coder::planes
@@ -158,8 +158,8 @@ Expected<BegunAttribute> begin_attribute(std::span<const std::byte> bytes, std::
 
 Expected<Attribute> finish_attribute(std::span<const std::byte> bytes, std::uint64_t at,
                                      const AttributeHeader& header, std::uint64_t count,
-                                     BegunAttribute begun, const CodedSurface& surface) {
-  if (header.coder == Coder::words) return words_of(header, std::move(begun.words), surface);
+                                     BegunAttribute begun, const ValueSurface& along) {
+  if (header.coder == Coder::words) return words_of(header, std::move(begun.words), along.surface);
   if (!header.begins_without_faces())
     begun.rows = make_rows(header, static_cast<std::size_t>(count));
   const std::vector<Axis>& axes = begun.numbers->numbers().axes;
@@ -169,7 +169,7 @@ Expected<Attribute> finish_attribute(std::span<const std::byte> bytes, std::uint
   const auto ok = std::visit(
       [&](auto& rows) -> Expected<Done> {
         const auto lattice = lattice_of(rows, axes);
-        if (auto done = finish_integers(header, begun.predictor, coded, coded_at, surface, lattice);
+        if (auto done = finish_integers(header, begun.predictor, coded, coded_at, along, lattice);
             !done)
           return done;
         attribute.data.resize(static_cast<std::size_t>(count) * attribute.stride());
