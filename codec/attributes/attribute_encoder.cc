@@ -51,9 +51,12 @@ class AttributeEncoder {
 
   Expected<EncodedAttribute> run(const AttributePlan& plan) {
     header_.error = plan.error;
+    if (plan.integers_of) header_.attribute.scalar = *plan.integers_of;
     NumberedValues numbered =
         plan.systems.empty()
             ? number_values(attribute_.data, attribute_.scalar, attribute_.components, level_)
+        : plan.integers_of
+            ? put_integers(attribute_.data, *plan.integers_of, plan.systems)
             : put_into_systems(attribute_.data, attribute_.scalar, plan.systems, level_);
     header_.narrow = numbered.numbers.narrow();
     const auto ok =

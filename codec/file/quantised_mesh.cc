@@ -80,6 +80,7 @@ Expected<QuantisedMesh> quantise(const MeshView& mesh, const EncodeOptions& opti
       out.values[i] = std::move(quantised[i]->values);
       a.data = out.values[i];
       a.stride = 0;
+      if (out.plans.back().integers_of) a.scalar = Scalar::int32;
     }
     out.attributes.push_back(a);
   }

@@ -32,6 +32,11 @@ NumberedValues number_values(std::span<const std::byte> values, Scalar scalar,
 NumberedValues put_into_systems(std::span<const std::byte> values, Scalar scalar,
                                 std::vector<NumberSystem> systems, int level);
 
+/// The same of values that are integers already, K of their systems, packed as std::int32_t. No
+/// component's range is greater than most_narrow.
+NumberedValues put_integers(std::span<const std::byte> integers, Scalar scalar,
+                            std::vector<NumberSystem> systems);
+
 /// Appends the bytes of systems without refinements and strays: what the caller made integers of.
 /// Preconditions: as NumberReader::read checks them.
 void put_plain_numbers(Bytes& out, const Numbers& numbers);
