@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstring>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 #include "codec/base/faces.h"
@@ -67,19 +68,28 @@ inline std::vector<std::byte> permuted_values(const AttributeView& a, const Cycl
                                                        : faces.org.size();
   const std::size_t size = a.value_size(), step = a.step();
   std::vector<std::byte> result(count * size);
-  std::byte* to = result.data();
-  const auto copy = [&](std::size_t from) {
-    std::memcpy(to, a.data.data() + from * step, size);
-    to += size;
+  // Of the usual sizes a copy is a few instructions if they are known.
+  const auto copy_all = [&](auto known_size) {
+    std::byte* to = result.data();
+    const auto copy = [&](std::size_t from) {
+      std::memcpy(to, a.data.data() + from * step, known_size);
+      to += known_size;
+    };
+    switch (a.domain) {
+      case Domain::vertex:
+        for (const std::uint32_t v : order.vertices) copy(v);
+        break;
+      case Domain::face:
+        for (const std::uint32_t f : order.faces) copy(f);
+        break;
+      case Domain::corner: for_each_corner(faces, order, copy); break;
+    }
   };
-  switch (a.domain) {
-    case Domain::vertex:
-      for (const std::uint32_t v : order.vertices) copy(v);
-      break;
-    case Domain::face:
-      for (const std::uint32_t f : order.faces) copy(f);
-      break;
-    case Domain::corner: for_each_corner(faces, order, copy); break;
+  switch (size) {
+    case 4: copy_all(std::integral_constant<std::size_t, 4>()); break;
+    case 8: copy_all(std::integral_constant<std::size_t, 8>()); break;
+    case 12: copy_all(std::integral_constant<std::size_t, 12>()); break;
+    default: copy_all(size);
   }
   return result;
 }
