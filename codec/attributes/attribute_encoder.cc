@@ -57,14 +57,18 @@ class AttributeEncoder {
   Expected<EncodedAttribute> run(const AttributePlan& plan) {
     header_.error = plan.error;
     header_.measure = plan.measure;
+    if (plan.integers_of) header_.attribute.scalar = *plan.integers_of;
     NumberedValues numbered =
         plan.systems.empty()
             ? number_values(attribute_.data, attribute_.scalar, attribute_.components, level_)
+        : plan.integers_of
+            ? put_integers(attribute_.data, *plan.integers_of, plan.systems)
             : put_into_systems(attribute_.data, attribute_.scalar, plan.systems, level_);
     header_.narrow = numbered.numbers.narrow();
     const auto ok =
         header_.narrow ? integers(numbered, numbered.narrow) : integers(numbered, numbered.wide);
     if (!ok) return Failure{ok.error()};
+    if (plan.systems.empty() && level_ >= 5) lines();
     if (plan.systems.empty() && level_ >= 5)
       if (auto done = words(); !done) return Failure{done.error()};
     best_.info.bytes = best_.bytes.size();
@@ -132,6 +136,22 @@ class AttributeEncoder {
       take(Coder::named, encode_named_values(lattice, surface_, Domain::vertex));
     }
     return Done{};
+  }
+
+  /// Normals in numbers that are nearer to each other than those that other coders do best with.
+  void lines() {
+    if (is_position_ || !of_vertices() || along_.position == nullptr ||
+        attribute_.components != 3 || !is_float(attribute_.scalar))
+      return;
+    for (NumberedValues& numbered :
+         number_for_lines(attribute_.data, attribute_.scalar, 3, level_)) {
+      if (!may_be_normals(numbered.numbers, along_)) continue;
+      header_.narrow = numbered.numbers.narrow();
+      const Bytes coded =
+          header_.narrow ? encode_normals<std::int32_t>(numbered.narrow, numbered.numbers, along_)
+                         : encode_normals<std::int64_t>(numbered.wide, numbered.numbers, along_);
+      consider(Coder::normals, Predictor::none, numbered.bytes, coded, in_words(numbered.numbers));
+    }
   }
 
   Expected<Done> words() {

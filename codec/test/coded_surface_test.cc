@@ -128,7 +128,7 @@ Decoded decoded(std::span<const std::byte> bytes) {
 void check(const SurfaceCopy& in, int level) {
   SCOPED_TRACE("level " + std::to_string(level));
   SurfaceCopy consumed = in;
-  auto coded = encode_connectivity(consumed.arrays(), level, true);
+  auto coded = encode_connectivity(consumed.arrays(), level, Kept::corners_and_twins);
   ASSERT_TRUE(coded.ok()) << describe(coded.error());
   ASSERT_EQ(coded->gates.size(), in.sizes.empty() ? in.triangles() : in.sizes.size());
 
@@ -163,7 +163,7 @@ void check(const SurfaceCopy& in, int level) {
 
   const std::size_t vertices = coded->vertices.size();
   consumed = in;
-  const CodedArrays surface = coded_surface(consumed.arrays(), *coded);
+  const CodedArrays surface = coded_surface(in.vertex_count, *coded);
   check_against_search(surface.view(), vertices);
   const Decoded found = decoded(coded->bytes);
   EXPECT_EQ(surface.corners, found.corners);
@@ -229,9 +229,9 @@ TEST(CodedSurface, TwinsOfSimplicialComplexes) {
       SurfaceCopy in = surface_of(mesh);
       if (of_100 > 0) in.sizes.assign(in.triangles(), 3);
       SurfaceCopy consumed = in;
-      auto coded = encode_connectivity(consumed.arrays(), 5, true);
+      auto coded = encode_connectivity(consumed.arrays(), 5, Kept::corners_and_twins);
       ASSERT_TRUE(coded.ok());
-      check_twins_by_vertices(coded_surface(consumed.arrays(), *coded).view());
+      check_twins_by_vertices(coded_surface(in.vertex_count, *coded).view());
     }
 }
 
