@@ -17,6 +17,7 @@
 #include "codec/attributes/copies.h"
 #include "codec/attributes/mirror.h"
 #include "codec/attributes/parallelograms.h"
+#include "codec/attributes/repeats.h"
 #include "codec/attributes/residual_sizes.h"
 #include "codec/attributes/sized_positions.h"
 #include "codec/attributes/symmetry.h"
@@ -36,6 +37,7 @@ struct Guides {
   std::optional<Symmetry> symmetry;
   bool copies = false;
   Originals originals;  ///< if there are copies
+  bool repeats = false;
 };
 
 /// Codes the positions along a surface. Int is that of the rows; Triple what geometry is computed
@@ -72,7 +74,8 @@ class SizedModel {
       mirror_.emplace(*guides.symmetry, rows_, count_, surface);
       symmetry_axis_ = guides.symmetry->axis;
     }
-    guided_ = copies_ || mirror_;
+    if (guides.repeats) repeats_.emplace(rows_, count_);
+    guided_ = copies_ || mirror_ || repeats_;
   }
 
   /// False if no positions are what was decoded.
@@ -195,14 +198,27 @@ class SizedModel {
 
     Int* row = rows_ + 3 * std::size_t(v);
     std::int64_t rx, ry, rz;
-    if (guided_ && code_guided(coder, v, a, b, c, mean)) [[unlikely]] {
-      rx = 4 * std::int64_t(row[x]) - mean[x];
-      ry = 4 * std::int64_t(row[y]) - mean[y];
-      rz = 4 * std::int64_t(row[z]) - mean[z] + steps_.lift(slopes, {rx, ry}, {x, y, z});
-      return remember(v, x, y, z, rx, ry, rz);
-    }
     const ResidualContext in_x = steps_.context(x, 0, plane), in_y = steps_.context(y, 0, plane),
                           in_z = steps_.context(z, 1, across);
+    if (guided_) [[unlikely]] {
+      const std::array<std::int64_t, 3> ends = {start.at[0], start.at[1], start.at[2]};
+      unsigned coded = 0;
+      if (code_guided(coder, v, a, b, c, mean))
+        coded = 7;
+      else if (repeats_)
+        coded = repeats_->code(coder, v, {a, b, c, known(rd) ? d : v, known(re) ? e : v}, ends);
+      if (coded != 0) {
+        const auto code_rest = [&](unsigned lane, unsigned i, std::int64_t from,
+                                   ResidualContext context) {
+          return coded >> i & 1 ? 4 * std::int64_t(row[i]) - from
+                                : code_alone(coder, lane, i, row[i], from, context, n);
+        };
+        rx = code_rest(0, x, mean[x], in_x);
+        ry = code_rest(1, y, mean[y], in_y);
+        rz = code_rest(2, z, mean[z] - steps_.lift(slopes, {rx, ry}, {x, y, z}), in_z);
+        return remember(v, x, y, z, rx, ry, rz);
+      }
+    }
     std::array<std::uint64_t, 3> low{};
     if constexpr (!Coder::encodes) low = coder.bits(in_x.width, in_y.width, in_z.width);
     rx = code_one(coder, 0, x, row[x], mean[x], in_x, low[0], n);
@@ -222,7 +238,7 @@ class SizedModel {
     if (copies_ && copies_->guess(v, a, b, c, place)) {
       const unsigned size = std::max(copies_->expected() / 4, 4u) - 4;
       for (unsigned i = 0; i < 3; ++i)
-        code_alone(coder, i, row[i], place[i], ResidualContext(4, size), 1);
+        code_alone(coder, i, i, row[i], 4 * std::int64_t(place[i]), ResidualContext(4, size), 1);
       return true;
     }
     if (!mirror_) return false;
@@ -240,19 +256,21 @@ class SizedModel {
     if (!near) return false;
     unsigned n = 1;
     for (unsigned i = 0; i < 3; ++i) {
-      code_alone(coder, i, row[i], place[i], ResidualContext(3, 0), i == symmetry_axis_ ? 2 : n);
+      code_alone(coder, i, i, row[i], 4 * std::int64_t(place[i]), ResidualContext(3, 0),
+                 i == symmetry_axis_ ? 2 : n);
       if (row[i] != place[i]) n = 3;
     }
     return true;
   }
 
-  /// One component that waits for no other.
+  /// One component whose low bits do not come with those of others.
   template <class Coder>
-  std::int64_t code_alone(Coder& coder, unsigned i, Int& value, std::int64_t from,
-                          ResidualContext context, unsigned n) {
+  CLERS_NEVER_INLINE std::int64_t code_alone(Coder& coder, unsigned lane, unsigned i, Int& value,
+                                             std::int64_t mean, ResidualContext context,
+                                             unsigned n) {
     std::uint64_t low = 0;
     if constexpr (!Coder::encodes) low = coder.bits(context.width, 0, 0)[0];
-    return code_one(coder, i, i, value, 4 * from, context, low, n);
+    return code_one(coder, lane, i, value, mean, context, low, n);
   }
 
   /// v by the position of a vertex beside it; where there is none, by 0.
@@ -261,7 +279,7 @@ class SizedModel {
     if (!valid_) return;
     Int* row = rows_ + 3 * std::size_t(v);
     for (unsigned i = 0; i < 3; ++i) {
-      const std::int64_t r = code_alone(coder, i, row[i], records_[from].at[i],
+      const std::int64_t r = code_alone(coder, i, i, row[i], 4 * std::int64_t(records_[from].at[i]),
                                         steps_.context(i, 2, beside_[i] >> 4), 1);
       beside_[i] += (16 * steps_.size(i, magnitude(r)) - beside_[i]) >> 2;
     }
@@ -350,6 +368,7 @@ class SizedModel {
   ResidualModel residuals_;
   std::optional<Copies<Int>> copies_;
   std::optional<Mirror<Int>> mirror_;
+  std::optional<Repeats<Int>> repeats_;
   std::uint32_t guessed_ = Mirror<Int>::nobody, symmetry_axis_ = 3;
   BitModel nears_[8];
   unsigned last_nears_ = 7;
