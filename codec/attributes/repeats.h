@@ -53,10 +53,11 @@ class Repeats {
   }
 
   /// Codes which coordinates of v are those of a, b, d or e, and sets these: a bit for each that
-  /// is. `ends` is where the parallelogram a + b - c ends, within -2^61 .. 2^61.
+  /// is, and for those that are `done`. `ends` is where the parallelogram a + b - c ends, within
+  /// -2^61 .. 2^61.
   template <class Coder>
   CLERS_NEVER_INLINE unsigned code(Coder& coder, std::uint32_t v, const Around& around,
-                                   const std::array<std::int64_t, 3>& ends) {
+                                   const std::array<std::int64_t, 3>& ends, unsigned done) {
     const std::array<std::uint32_t, near> others = {around.a, around.b, around.d, around.e};
     unsigned repeated = 0, count = 0;
     for (unsigned i = 0; i < 3; ++i) {
@@ -66,7 +67,7 @@ class Repeats {
                                      was(around.a) + was(around.b) + was(around.c)) *
                                         3u +
                                     count;
-      bool yes = false;
+      bool yes = (done >> i & 1) != 0;
       for (unsigned k = 0; k < near && !yes; ++k) {
         const std::uint32_t u = others[k];
         if (u == v || is_among(at(u), k, [&](unsigned j) {

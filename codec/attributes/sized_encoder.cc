@@ -1,4 +1,6 @@
 // Positions -> bytes, in contexts of the sizes of residuals.
+#include <utility>
+
 #include "codec/attributes/copies.h"
 #include "codec/attributes/mirror.h"
 #include "codec/attributes/repeats.h"
@@ -18,8 +20,8 @@ Bytes encode(const CodedSurface& surface, const Lattice<Int>& positions, const G
   with_sized_model(surface, positions, guides, order,
                    [&](auto& model) { return model.code(coder); });
   Bytes out;
-  put_u8(out,
-         static_cast<std::uint32_t>(order) | (guides.copies ? 2 : 0) | (guides.repeats ? 4 : 0));
+  put_u8(out, static_cast<std::uint32_t>(order) | (guides.copies ? 2 : 0) |
+                  static_cast<std::uint32_t>(guides.repeats) << 2);
   put_mirror(out, guides.symmetry);
   coder.finish(out);
   return out;
@@ -42,10 +44,14 @@ Bytes encode_sized_positions(const CodedSurface& surface, Lattice<Int> positions
   }
   Bytes out = encode(surface, positions, guides, order);
   if (surface.twins.empty() || !repeats_may_pay(surface, positions)) return out;
-  guides.repeats = true;
-  Bytes other = encode(surface, positions, guides, order);
-  // It takes time to decode, which a small gain is not worth.
-  return other.size() < out.size() - out.size() / 128 ? other : out;
+  for (const Repetition repeats : {Repetition::beside, Repetition::lines}) {
+    guides.repeats = repeats;
+    Bytes other = encode(surface, positions, guides, order);
+    // It takes time to decode, which a small gain is not worth.
+    if (other.size() >= out.size() - out.size() / 128) break;
+    out = std::move(other);
+  }
+  return out;
 }
 
 template Bytes encode_sized_positions(const CodedSurface&, Lattice<std::int32_t>, VisitOrder);

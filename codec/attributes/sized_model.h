@@ -15,6 +15,7 @@
 
 #include "codec/attributes/axis_steps.h"
 #include "codec/attributes/copies.h"
+#include "codec/attributes/lines.h"
 #include "codec/attributes/mirror.h"
 #include "codec/attributes/parallelograms.h"
 #include "codec/attributes/repeats.h"
@@ -32,12 +33,19 @@
 
 namespace clers::internal {
 
+/// Which coordinates are looked for at other vertices. The numbers are the file format's.
+enum class Repetition : std::uint8_t {
+  none = 0,
+  beside = 1,  ///< at vertices beside (repeats.h)
+  lines = 2,   ///< two of them at vertices of one line first (lines.h)
+};
+
 /// What is known of a shape beforehand.
 struct Guides {
   std::optional<Symmetry> symmetry;
   bool copies = false;
   Originals originals;  ///< if there are copies
-  bool repeats = false;
+  Repetition repeats = Repetition::none;
 };
 
 /// Codes the positions along a surface. Int is that of the rows; Triple what geometry is computed
@@ -74,7 +82,8 @@ class SizedModel {
       mirror_.emplace(*guides.symmetry, rows_, count_, surface);
       symmetry_axis_ = guides.symmetry->axis;
     }
-    if (guides.repeats) repeats_.emplace(rows_, count_);
+    if (guides.repeats != Repetition::none) repeats_.emplace(rows_, count_);
+    if (guides.repeats == Repetition::lines) lines_.emplace(rows_, count_, surface);
     guided_ = copies_ || mirror_ || repeats_;
   }
 
@@ -203,10 +212,13 @@ class SizedModel {
     if (guided_) [[unlikely]] {
       const std::array<std::int64_t, 3> ends = {start.at[0], start.at[1], start.at[2]};
       unsigned coded = 0;
-      if (code_guided(coder, v, a, b, c, mean))
+      if (code_guided(coder, v, a, b, c, mean)) {
         coded = 7;
-      else if (repeats_)
-        coded = repeats_->code(coder, v, {a, b, c, known(rd) ? d : v, known(re) ? e : v}, ends);
+      } else if (repeats_) {
+        if (lines_) coded = lines_->code(coder, v, a, b, ends);
+        coded =
+            repeats_->code(coder, v, {a, b, c, known(rd) ? d : v, known(re) ? e : v}, ends, coded);
+      }
       if (coded != 0) {
         const auto code_rest = [&](unsigned lane, unsigned i, std::int64_t from,
                                    ResidualContext context) {
@@ -357,6 +369,7 @@ class SizedModel {
   CLERS_NEVER_INLINE void tell(std::uint32_t v) {
     if (copies_) copies_->known(v);
     if (mirror_) mirror_->known(v, guessed_);
+    if (lines_) lines_->known(v);
     guessed_ = Mirror<Int>::nobody;
   }
 
@@ -369,6 +382,7 @@ class SizedModel {
   std::optional<Copies<Int>> copies_;
   std::optional<Mirror<Int>> mirror_;
   std::optional<Repeats<Int>> repeats_;
+  std::optional<Lines<Int>> lines_;
   std::uint32_t guessed_ = Mirror<Int>::nobody, symmetry_axis_ = 3;
   BitModel nears_[8];
   unsigned last_nears_ = 7;
