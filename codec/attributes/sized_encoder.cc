@@ -3,7 +3,7 @@
 
 #include "codec/attributes/copies.h"
 #include "codec/attributes/mirror.h"
-#include "codec/attributes/repeats.h"
+#include "codec/attributes/repetition.h"
 #include "codec/attributes/sized_model.h"
 #include "codec/attributes/sized_positions.h"
 #include "codec/attributes/symmetry.h"

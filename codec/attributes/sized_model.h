@@ -15,10 +15,9 @@
 
 #include "codec/attributes/axis_steps.h"
 #include "codec/attributes/copies.h"
-#include "codec/attributes/lines.h"
 #include "codec/attributes/mirror.h"
 #include "codec/attributes/parallelograms.h"
-#include "codec/attributes/repeats.h"
+#include "codec/attributes/repetition.h"
 #include "codec/attributes/residual_sizes.h"
 #include "codec/attributes/sized_positions.h"
 #include "codec/attributes/symmetry.h"
@@ -32,13 +31,6 @@
 #include "topology/ids.h"
 
 namespace clers::internal {
-
-/// Which coordinates are looked for at other vertices. The numbers are the file format's.
-enum class Repetition : std::uint8_t {
-  none = 0,
-  beside = 1,  ///< at vertices beside (repeats.h)
-  lines = 2,   ///< two of them at vertices of one line first (lines.h)
-};
 
 /// What is known of a shape beforehand.
 struct Guides {
@@ -76,15 +68,15 @@ class SizedModel {
         rows_(positions.rows.data()),
         count_(static_cast<std::uint32_t>(positions.count())),
         steps_(positions.axes),
-        records_(count_) {
+        records_(count_),
+        repeated_(guides.repeats, rows_, count_, surface),
+        repeats_(repeated_.any()) {
     if (guides.copies) copies_.emplace(guides.originals, rows_, positions.axes);
     if (guides.symmetry) {
       mirror_.emplace(*guides.symmetry, rows_, count_, surface);
       symmetry_axis_ = guides.symmetry->axis;
     }
-    if (guides.repeats != Repetition::none) repeats_.emplace(rows_, count_);
-    if (guides.repeats == Repetition::lines) lines_.emplace(rows_, count_, surface);
-    guided_ = copies_ || mirror_ || repeats_;
+    guided_ = copies_ || mirror_;
   }
 
   /// False if no positions are what was decoded.
@@ -207,29 +199,28 @@ class SizedModel {
 
     Int* row = rows_ + 3 * std::size_t(v);
     std::int64_t rx, ry, rz;
+    if (guided_ && code_guided(coder, v, a, b, c, mean)) [[unlikely]] {
+      rx = 4 * std::int64_t(row[x]) - mean[x];
+      ry = 4 * std::int64_t(row[y]) - mean[y];
+      rz = 4 * std::int64_t(row[z]) - mean[z] + steps_.lift(slopes, {rx, ry}, {x, y, z});
+      return remember(v, x, y, z, rx, ry, rz);
+    }
     const ResidualContext in_x = steps_.context(x, 0, plane), in_y = steps_.context(y, 0, plane),
                           in_z = steps_.context(z, 1, across);
-    if (guided_) [[unlikely]] {
-      const std::array<std::int64_t, 3> ends = {start.at[0], start.at[1], start.at[2]};
-      unsigned coded = 0;
-      if (code_guided(coder, v, a, b, c, mean)) {
-        coded = 7;
-      } else if (repeats_) {
-        if (lines_) coded = lines_->code(coder, v, a, b, ends);
-        coded =
-            repeats_->code(coder, v, {a, b, c, known(rd) ? d : v, known(re) ? e : v}, ends, coded);
-      }
-      if (coded != 0) {
-        const auto code_rest = [&](unsigned lane, unsigned i, std::int64_t from,
-                                   ResidualContext context) {
-          return coded >> i & 1 ? 4 * std::int64_t(row[i]) - from
-                                : code_alone(coder, lane, i, row[i], from, context, n);
-        };
-        rx = code_rest(0, x, mean[x], in_x);
-        ry = code_rest(1, y, mean[y], in_y);
-        rz = code_rest(2, z, mean[z] - steps_.lift(slopes, {rx, ry}, {x, y, z}), in_z);
-        return remember(v, x, y, z, rx, ry, rz);
-      }
+    if (repeats_) [[unlikely]] {
+      const unsigned done = repeated_.code(
+          {v, a, b, c, known(rd) ? d : v, known(re) ? e : v},
+          {start.at[0], start.at[1], start.at[2]},
+          [&](unsigned i, BitModel& model, bool yes) { return coder.flag(i, model, yes); });
+      const auto code_rest = [&](unsigned lane, unsigned i, std::int64_t from,
+                                 ResidualContext context) {
+        return done >> i & 1 ? 4 * std::int64_t(row[i]) - from
+                             : code_alone(coder, lane, i, row[i], from, context, n);
+      };
+      rx = code_rest(0, x, mean[x], in_x);
+      ry = code_rest(1, y, mean[y], in_y);
+      rz = code_rest(2, z, mean[z] - steps_.lift(slopes, {rx, ry}, {x, y, z}), in_z);
+      return remember(v, x, y, z, rx, ry, rz);
     }
     std::array<std::uint64_t, 3> low{};
     if constexpr (!Coder::encodes) low = coder.bits(in_x.width, in_y.width, in_z.width);
@@ -365,11 +356,12 @@ class SizedModel {
     last_ = v;
     if (guided_ && valid_) [[unlikely]]
       tell(v);
+    if (repeats_ && valid_) [[unlikely]]
+      repeated_.known(v);
   }
   CLERS_NEVER_INLINE void tell(std::uint32_t v) {
     if (copies_) copies_->known(v);
     if (mirror_) mirror_->known(v, guessed_);
-    if (lines_) lines_->known(v);
     guessed_ = Mirror<Int>::nobody;
   }
 
@@ -381,8 +373,8 @@ class SizedModel {
   ResidualModel residuals_;
   std::optional<Copies<Int>> copies_;
   std::optional<Mirror<Int>> mirror_;
-  std::optional<Repeats<Int>> repeats_;
-  std::optional<Lines<Int>> lines_;
+  RepeatedCoordinates<Int> repeated_;
+  const bool repeats_;
   std::uint32_t guessed_ = Mirror<Int>::nobody, symmetry_axis_ = 3;
   BitModel nears_[8];
   unsigned last_nears_ = 7;
