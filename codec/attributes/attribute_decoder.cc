@@ -87,6 +87,8 @@ Expected<Done> finish_integers(const AttributeHeader& header, const Numbers& num
                   "a coder of normals for numbers that are none, or without positions");
     return decode_normals<Int>(coded, at, numbers, along, lattice.rows);
   }
+  if (header.coder == Coder::charts)
+    return decode_charts<Int>(coded, at, numbers.axes, along, lattice.rows);
   const CodedSurface& surface = along.surface;
   if (header.coder == Coder::mixed) return decode_mixed(coded, at, surface, lattice);
   if (header.coder == Coder::sized) return decode_sized_positions(coded, at, surface, lattice);

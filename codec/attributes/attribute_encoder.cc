@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "codec/attributes/attribute_format.h"
+#include "codec/attributes/charts.h"
 #include "codec/attributes/integer_planes.h"
 #include "codec/attributes/mixed_coder.h"
 #include "codec/attributes/named_values_encoder.h"
@@ -115,6 +116,8 @@ class AttributeEncoder {
                                              header_.coded_domain()));
     if (!is_position && level_ >= 5 && of_vertices() && may_be_normals(numbered.numbers, along_))
       take(Coder::normals, encode_normals<Int>(rows, numbered.numbers, along_));
+    if (!is_position && level_ >= 5 && of_vertices() && axes.size() == 2)
+      take(Coder::charts, encode_charts(lattice, along_, level_));
     if (is_position && level_ == 9) take(Coder::mixed, encode_mixed(surface_, lattice));
     if (is_position && level_ >= 7)
       take(Coder::sized, encode_sized_positions(surface_, lattice, VisitOrder::parallelograms));

@@ -32,12 +32,13 @@ enum class Coder : std::uint8_t {
   mixed = 4,    ///< positions by experts, mixed (level 9)
   named = 5,    ///< anything else by contexts of sizes (levels 5 to 9)
   normals = 6,  ///< normals by a formula of the positions (levels 5 to 9)
+  charts = 7,   ///< texture coordinates by the shape of the surface (levels 5 to 9)
 };
-inline constexpr unsigned coder_count = 7;
+inline constexpr unsigned coder_count = 8;
 
 constexpr const char* name(Coder c) {
   constexpr const char* names[coder_count] = {"words", "planes", "ordered", "sized",
-                                              "mixed", "named",  "normals"};
+                                              "mixed", "named",  "normals", "charts"};
   return names[static_cast<unsigned>(c)];
 }
 
@@ -186,6 +187,10 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
       (components != 3 || domain == static_cast<std::uint32_t>(Domain::face)))
     return fail(ErrorCode::invalid, Place::byte, at,
                 "a coder of normals, which must be three components of vertices or corners");
+  if (coder == static_cast<std::uint32_t>(Coder::charts) &&
+      (components != 2 || domain == static_cast<std::uint32_t>(Domain::face)))
+    return fail(ErrorCode::invalid, Place::byte, at,
+                "a coder of charts, which must be two components of vertices or corners");
   if (changed && !(header.error > 0 && std::isfinite(header.error)))
     return fail(ErrorCode::invalid, Place::byte, at, "an attribute with an error that is none");
   if (by_angle && (!changed || components != 3))
