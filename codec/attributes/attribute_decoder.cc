@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "codec/attributes/charts.h"
 #include "codec/attributes/integer_planes.h"
 #include "codec/attributes/mixed_coder.h"
 #include "codec/attributes/named_values_decoder.h"

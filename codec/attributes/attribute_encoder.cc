@@ -116,7 +116,7 @@ class AttributeEncoder {
                                              header_.coded_domain()));
     if (!is_position && level_ >= 5 && of_vertices() && may_be_normals(numbered.numbers, along_))
       take(Coder::normals, encode_normals<Int>(rows, numbered.numbers, along_));
-    if (!is_position && level_ >= 5 && of_vertices() && axes.size() == 2)
+    if (!is_position && level_ >= 5 && of_vertices() && attribute_.components == 2)
       take(Coder::charts, encode_charts(lattice, along_, level_));
     if (is_position && level_ == 9) take(Coder::mixed, encode_mixed(surface_, lattice));
     if (is_position && level_ >= 7)

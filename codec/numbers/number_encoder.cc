@@ -206,6 +206,16 @@ EncodedColumn column_in(const NumberSystem& system, std::span<const std::byte> v
   });
 }
 
+/// How many bits differences to the value before have, in all: what orders of magnitude cost.
+std::uint64_t bits_of_steps(const std::vector<std::uint64_t>& ks) {
+  std::uint64_t bits = 0, before = 0;
+  for (const std::uint64_t k : ks) {
+    bits += static_cast<unsigned>(std::bit_width(zigzag(k - before)));
+    before = k;
+  }
+  return bits;
+}
+
 /// About how many bits a column takes, its integers by their differences.
 std::uint64_t about_bits(const EncodedColumn& column) {
   const auto& palette = column.header.axis.palette;
