@@ -143,6 +143,7 @@ Comparison compare_checked(const Mesh& a, const Mesh& b, std::span<const Toleran
   if (auto what = counts_differ(a, b)) return differ(std::move(*what));
   ComparedMesh first(a, tolerances), second(b, tolerances);
   if (auto what = attributes_differ(first, second)) return differ(std::move(*what));
+  if (auto what = compare_sharing(first, second)) return differ(std::move(*what));
   colour_values(first, second);
   Attempt attempt = compare_structure(first, second);
   if (attempt.comparison.verdict == Verdict::undecided && !first.is_exact())
@@ -186,8 +187,9 @@ Expected<Comparison> compare(const Mesh& a, const Mesh& b, std::span<const Toler
   return guarded("compare", [&]() -> Expected<Comparison> {
     if (auto error = refused(a, b, tolerances)) return Failure{std::move(*error)};
     if (auto what = counts_differ(a, b)) return differ(std::move(*what));
-    const ComparedMesh first(a, tolerances), second(b, tolerances);
+    ComparedMesh first(a, tolerances), second(b, tolerances);
     if (auto what = attributes_differ(first, second)) return differ(std::move(*what));
+    if (auto what = compare_sharing(first, second)) return differ(std::move(*what));
     const DoublePrecision doubles;
     std::vector<double> errors;
     auto wrong = renumbering_fails(first, second, renumbering, errors);

@@ -8,6 +8,7 @@
 #include "codec/attributes/integer_planes.h"
 #include "codec/attributes/mixed_coder.h"
 #include "codec/attributes/named_values_decoder.h"
+#include "codec/attributes/normal_values_decoder.h"
 #include "codec/attributes/ordered_integers.h"
 #include "codec/attributes/planes.h"
 #include "codec/attributes/sized_positions.h"
@@ -78,14 +79,14 @@ Rows make_rows(const Numbers& numbers, std::size_t count) {
 template <class Int>
 Expected<Done> finish_integers(const AttributeHeader& header, OrderPredictor predictor,
                                std::span<const std::byte> coded, std::uint64_t at,
-                               const CodedSurface& surface, const Lattice<Int>& lattice) {
+                               const ValueSurface& along, const Lattice<Int>& lattice) {
+  const CodedSurface& surface = along.surface;
   if (header.coder == Coder::mixed) return decode_mixed(coded, at, surface, lattice);
   if (header.coder == Coder::sized) return decode_sized_positions(coded, at, surface, lattice);
   if (header.coder == Coder::named)
-    return decode_named_values(coded, at, lattice.axes,
-                               surface_of(header.attribute, lattice.count(), surface), lattice.rows,
-                               header.attribute.domain);
-  const bool of_vertices = header.attribute.domain == Domain::vertex;
+    return decode_named_values(coded, at, lattice.axes, surface_of(header, lattice.count(), along),
+                               lattice.rows, header.coded_domain());
+  const bool of_vertices = header.coded_domain() == Domain::vertex;
   const std::vector<Axis> axes = with_ranks(lattice.axes);
   const Lattice<Int> ranks{lattice.rows, axes};
   const auto ok = header.coder == Coder::planes
@@ -158,8 +159,8 @@ Expected<BegunAttribute> begin_attribute(std::span<const std::byte> bytes, std::
 
 Expected<Attribute> finish_attribute(std::span<const std::byte> bytes, std::uint64_t at,
                                      const AttributeHeader& header, std::uint64_t count,
-                                     BegunAttribute begun, const CodedSurface& surface) {
-  if (header.coder == Coder::words) return words_of(header, std::move(begun.words), surface);
+                                     BegunAttribute begun, const ValueSurface& along) {
+  if (header.coder == Coder::words) return words_of(header, std::move(begun.words), along.surface);
   if (!header.begins_without_faces())
     begun.rows = make_rows(begun.numbers->numbers(), static_cast<std::size_t>(count));
   const std::vector<Axis>& axes = begun.numbers->numbers().axes;
@@ -169,9 +170,11 @@ Expected<Attribute> finish_attribute(std::span<const std::byte> bytes, std::uint
   const auto ok = std::visit(
       [&](auto& rows) -> Expected<Done> {
         const auto lattice = lattice_of(rows, axes);
-        if (auto done = finish_integers(header, begun.predictor, coded, coded_at, surface, lattice);
-            !done)
-          return done;
+        const auto done =
+            header.coder == Coder::normals
+                ? decode_normals(coded, coded_at, begun.numbers->numbers(), along, std::span(rows))
+                : finish_integers(header, begun.predictor, coded, coded_at, along, lattice);
+        if (!done) return done;
         attribute.data.resize(static_cast<std::size_t>(count) * attribute.stride());
         return begun.numbers->to_values(rows, attribute.data);
       },
@@ -197,6 +200,7 @@ AttributeMemory decoding_memory(std::span<const std::byte> bytes, const Attribut
   const std::uint64_t coding =
       header.coder == Coder::named
           ? named_values_memory(count, header.attribute.components, surface.vertices)
+      : header.coder == Coder::normals ? normals_memory(count, surface.positions)
       : header.coder == Coder::sized
           ? sized_positions_memory(integers_of(bytes, header), count, surface.triangles)
           : mixed_memory(count, surface.triangles);
