@@ -209,10 +209,11 @@ AttributeMemory decoding_memory(std::span<const std::byte> bytes, const Attribut
   const std::uint64_t coding =
       header.coder == Coder::named
           ? named_values_memory(count, header.attribute.components, surface.vertices)
+      : header.coder == Coder::normals ? normals_memory(count, surface.positions)
+      : header.coder == Coder::charts  ? charts_memory(count, surface.positions)
       : header.coder == Coder::sized
           ? sized_positions_memory(integers_of(bytes, header), count, surface.triangles)
-      : header.coder == Coder::normals ? normals_memory(count, surface.vertices)
-                                       : mixed_memory(count, surface.triangles);
+          : mixed_memory(count, surface.triangles);
   return {numbers, 0, integers + coding};
 }
 
