@@ -127,7 +127,7 @@ class Model {
   /// image.
   template <class Coder>
   unsigned code_repeated(Coder& coder, std::uint32_t v, const Star& star) {
-    if (!repeated_.any() || copied() || mirrored()) return 0;
+    if (!repeated_.any() || copied()) return 0;
     const auto [a, b, c] = star.parallelogram[0];
     const auto at = [&](std::uint32_t u, std::size_t i) {
       return std::int64_t(rows_[3 * std::size_t(u) + i]);
