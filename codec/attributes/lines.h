@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "codec/attributes/around_vertex.h"
-#include "codec/attributes/axis_steps.h"
 #include "codec/attributes/repeats.h"
 #include "codec/base/portable.h"
 #include "codec/connectivity/coded_surface.h"
@@ -106,8 +105,7 @@ class Lines {
     Nearest best = {unknown, false};
     const auto consider = [&](std::uint32_t w, std::uint64_t weight) {
       std::uint64_t far = 0;
-      for (const unsigned i : {(axis + 1) % 3, (axis + 2) % 3})
-        far += magnitude(std::int64_t(row(w)[i]) - ends[i]);
+      for (const unsigned i : {(axis + 1) % 3, (axis + 2) % 3}) far += apart(row(w)[i], ends[i]);
       far = weight * std::min(far, std::uint64_t(1) << 61);
       if (far < least) least = far, best.w = w;
     };

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "codec/attributes/axis_steps.h"
 #include "codec/numbers/lattice.h"
 #include "topology/ids.h"
 
@@ -23,10 +22,9 @@ bool repeats_may_pay(const CodedSurface& surface, const Lattice<Int>& lattice) {
         return std::int64_t(lattice.rows[3 * std::size_t(v) + i]);
       };
       const bool again = at(c[2]) == at(c[0]) || at(c[2]) == at(c[1]);
-      const std::int64_t off = at(c[2]) - at(c[0]) - at(c[1]) + at(o);
       repeated += again;
       others += !again;
-      bits += again ? 0 : std::bit_width(magnitude(off));
+      bits += again ? 0 : std::bit_width(apart(at(c[2]) + at(o), at(c[0]) + at(c[1])));
     }
   });
   // Of numbers of so many bits about so many agree by chance: one in 2^(bits / others).

@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "codec/attributes/axis_steps.h"
 #include "codec/attributes/residual_sizes.h"
 #include "codec/base/portable.h"
 #include "codec/connectivity/coded_surface.h"
@@ -40,6 +39,11 @@ bool repeats_may_pay(const CodedSurface& surface, const Lattice<Int>& lattice);
 struct Gate {
   std::uint32_t v, a, b, c, d, e;
 };
+
+/// How far two coordinates are apart, each within -2^61 .. 2^61.
+inline std::uint64_t apart(std::int64_t x, std::int64_t y) {
+  return static_cast<std::uint64_t>(x < y ? y - x : x - y);
+}
 
 template <class Int>
 class Repeats {
@@ -74,7 +78,7 @@ class Repeats {
         const Int x = at(others[k]);
         if (others[k] == gate.v || std::find(&asked[0], &asked[n], x) != &asked[n]) continue;
         asked[n++] = x;
-        const unsigned far = std::min(size_of(magnitude(x - ends[i])) / 8, distances - 1);
+        const unsigned far = std::min(size_of(apart(x, ends[i])) / 8, distances - 1);
         yes = decide(i, models[k][far], value == x);
         if (yes) value = x;
       }

@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "codec/attributes/residual_sizes.h"
@@ -192,35 +191,15 @@ TEST(SizedPositions, UseCopiesAndImages) {
   }
 }
 
-/// A torus of 40 x 30 vertices, whose places `at(i, j)` says: i around it, j across.
-template <class Int, class At>
-std::pair<CodedArrays, Positions<Int>> torus(std::uint64_t top, At at) {
-  const Mesh mesh = corpus::torus(40, 30);
-  auto twins = find_twins({mesh.corners, {}}, mesh.vertex_count);
-  const auto coded = encode_connectivity({mesh.corners, *twins, mesh.vertex_count}, 5);
-  Positions<Int> p{{}, std::vector<Axis>(3, Axis{top})};
-  for (const std::uint32_t v : coded->vertices)
-    for (const std::uint64_t x : at(v / 30, v % 30)) p.rows.push_back(static_cast<Int>(x));
-  return {test::decoded(coded->bytes), p};
-}
-
-/// A number of 12 bits, or 55, always the same for a key.
-std::uint64_t rough(std::uint64_t key, unsigned bits = 12) {
-  corpus::Random random(key);
-  return random.next() >> (64 - bits);
-}
-
 unsigned repetition(const Bytes& bytes) {
   return std::to_integer<unsigned>(bytes[0]) >> 2;
 }
 
-/// A rough profile that was moved along z: a place is three numbers that were there before.
 template <class Int>
 void expect_profiles_to_repeat(unsigned bits) {
   corpus::Random random(6);
-  const auto [s, p] = torus<Int>((std::uint64_t(1) << bits) - 1, [&](unsigned i, unsigned j) {
-    return std::array{rough(j, bits), rough(100 + j, bits), rough(200 + i, bits)};
-  });
+  const auto [s, rows] = test::moved_profile<Int>(bits);
+  const Positions<Int> p{rows, std::vector<Axis>(3, Axis{(std::uint64_t(1) << bits) - 1})};
   for (const VisitOrder order : orders) {
     auto lattice = p;
     const Bytes bytes = encode_sized_positions(s.view(), lattice.lattice(), order);
@@ -241,14 +220,15 @@ TEST(SizedPositions, ProfilesRepeatThemselves) {
 TEST(SizedPositions, LinesAreFound) {
   corpus::Random random(7);
   const auto plate = [](bool same) {
-    return torus<std::int32_t>(8191, [same](unsigned i, unsigned j) {
-      const std::uint64_t k = std::min(i, 39 - i), place = 30 * (same ? k : i) + j;
-      return std::array{190 * k + rough(place, 6), rough(10000 + 30 * i + j),
-                        130 * j + rough(20000 + place, 6)};
+    return test::coded_torus<std::int32_t>(40, 30, [same](std::uint32_t i, std::uint32_t j) {
+      const std::uint32_t k = std::min(i, 39 - i), place = 30 * (same ? k : i) + j;
+      return std::array{190 * k + test::rough(place, 6), test::rough(10000 + 30 * i + j, 12),
+                        130 * j + test::rough(20000 + place, 6)};
     });
   };
-  auto [s, p] = plate(true);
-  auto other = plate(false).second;
+  const std::vector<Axis> axes(3, Axis{8191});
+  const auto [s, rows] = plate(true);
+  Positions<std::int32_t> p{rows, axes}, other{plate(false).second, axes};
   for (const VisitOrder order : orders) {
     const Bytes bytes = encode_sized_positions(s.view(), p.lattice(), order);
     EXPECT_EQ(repetition(bytes), 2u);
@@ -281,11 +261,13 @@ TEST(SizedPositions, PeriodsComeBack) {
 
 TEST(SizedPositions, NothingIsAskedWhereNothingRepeats) {
   for (const VisitOrder order : orders) {
-    auto [s, p] = torus<std::int32_t>(4095, [&](unsigned i, unsigned j) {
-      return std::array<std::uint64_t, 3>{50 * i + rough(i * 30 + j, 3),
-                                          90 * j + rough(40 * j + i, 4),
-                                          2 * i * j + rough(7 * i + j, 2)};
-    });
+    const auto [s, rows] =
+        test::coded_torus<std::int32_t>(40, 30, [](std::uint32_t i, std::uint32_t j) {
+          return std::array<std::uint64_t, 3>{50 * i + test::rough(i * 30 + j, 3),
+                                              90 * j + test::rough(40 * j + i, 4),
+                                              2 * i * j + test::rough(7 * i + j, 2)};
+        });
+    Positions<std::int32_t> p{rows, std::vector<Axis>(3, Axis{4095})};
     EXPECT_EQ(repetition(encode_sized_positions(s.view(), p.lattice(), order)), 0u);
   }
 }
