@@ -53,7 +53,8 @@ std::vector<FoundError> found_errors(const ComparedMesh& mesh, const std::vector
   std::vector<FoundError> found;
   for (std::size_t k = 0; k < errors.size(); ++k)
     if (mesh.tolerance[k])
-      found.push_back({mesh.attributes[k]->name, mesh.attributes[k]->domain, errors[k]});
+      found.push_back(
+          {mesh.attributes[k]->name, mesh.attributes[k]->domain, errors[k], mesh.measure[k]});
   return found;
 }
 

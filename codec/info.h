@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <clers/mesh.h>
+#include <clers/precision.h>
 #include <clers/topology/export.h>
 
 namespace CLERS_VISIBLE clers {
@@ -48,8 +49,9 @@ struct AttributeInfo {
   /// Which elements have which values, for people; empty: each its own. "wedges": corners that no
   /// seam parts share one; "by index", "shared", "some missing", "some unused".
   std::string structure;
-  /// By how much a component of its values was changed at most. 0: they come back bit for bit.
+  /// By how much its values were changed at most. 0: they come back bit for bit.
   double error = 0;
+  ErrorMeasure measure = ErrorMeasure::difference;  ///< what the error is
 
   std::uint64_t value_size() const { return size_of(scalar) * components; }
 };

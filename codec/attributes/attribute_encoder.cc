@@ -7,9 +7,12 @@
 #include <utility>
 
 #include "codec/attributes/attribute_format.h"
+#include "codec/attributes/charts.h"
 #include "codec/attributes/integer_planes.h"
 #include "codec/attributes/mixed_coder.h"
 #include "codec/attributes/named_values_encoder.h"
+#include "codec/attributes/normal_values_decoder.h"
+#include "codec/attributes/normal_values_encoder.h"
 #include "codec/attributes/ordered_integers.h"
 #include "codec/attributes/planes.h"
 #include "codec/attributes/sized_positions.h"
@@ -54,14 +57,19 @@ class AttributeEncoder {
 
   Expected<EncodedAttribute> run(const AttributePlan& plan) {
     header_.error = plan.error;
+    header_.measure = plan.measure;
+    if (plan.integers_of) header_.attribute.scalar = *plan.integers_of;
     NumberedValues numbered =
         plan.systems.empty()
             ? number_values(attribute_.data, attribute_.scalar, attribute_.components, level_)
+        : plan.integers_of
+            ? put_integers(attribute_.data, *plan.integers_of, plan.systems)
             : put_into_systems(attribute_.data, attribute_.scalar, plan.systems, level_);
     header_.narrow = numbered.numbers.narrow();
     const auto ok =
         header_.narrow ? integers(numbered, numbered.narrow) : integers(numbered, numbered.wide);
     if (!ok) return Failure{ok.error()};
+    if (plan.systems.empty() && level_ >= 5) lines();
     if (plan.systems.empty() && level_ >= 5)
       if (auto done = words(); !done) return Failure{done.error()};
     best_.info.bytes = best_.bytes.size();
@@ -106,6 +114,10 @@ class AttributeEncoder {
     if (!is_position && level_ >= 5)
       take(Coder::named, encode_named_values(lattice, surface_of(header_, lattice.count(), along_),
                                              header_.coded_domain()));
+    if (!is_position && level_ >= 5 && of_vertices() && may_be_normals(numbered.numbers, along_))
+      take(Coder::normals, encode_normals<Int>(rows, numbered.numbers, along_));
+    if (!is_position && level_ >= 5 && of_vertices() && axes.size() == 2)
+      take(Coder::charts, encode_charts(lattice, along_, level_));
     if (is_position && level_ == 9) take(Coder::mixed, encode_mixed(surface_, lattice));
     if (is_position && level_ >= 7)
       take(Coder::sized, encode_sized_positions(surface_, lattice, VisitOrder::parallelograms));
@@ -127,6 +139,22 @@ class AttributeEncoder {
       take(Coder::named, encode_named_values(lattice, along_, Domain::vertex));
     }
     return Done{};
+  }
+
+  /// Normals in numbers that are nearer to each other than those that other coders do best with.
+  void lines() {
+    if (is_position_ || !of_vertices() || along_.position == nullptr ||
+        attribute_.components != 3 || !is_float(attribute_.scalar))
+      return;
+    for (NumberedValues& numbered :
+         number_for_lines(attribute_.data, attribute_.scalar, 3, level_)) {
+      if (!may_be_normals(numbered.numbers, along_)) continue;
+      header_.narrow = numbered.numbers.narrow();
+      const Bytes coded =
+          header_.narrow ? encode_normals<std::int32_t>(numbered.narrow, numbered.numbers, along_)
+                         : encode_normals<std::int64_t>(numbered.wide, numbered.numbers, along_);
+      consider(Coder::normals, Predictor::none, numbered.bytes, coded, in_words(numbered.numbers));
+    }
   }
 
   Expected<Done> words() {
@@ -178,7 +206,7 @@ Expected<EncodedAttribute> encode_attribute(const Attribute& attribute,
     ValueArrays arrays;
     if (header.any) arrays = make_value_surface(faces, domain, way.structure, values.value_count());
     const ValueSurface along =
-        header.any ? arrays.view(position) : ValueSurface{faces.surface, {}, position};
+        header.any ? arrays.view(position) : ValueSurface{faces.surface, {}, {}, position};
     auto coded = encode_attribute(values, header, along, level, plan);
     if (!coded) return coded;
     coded->info.count = header.indexed ? header.distinct : elements;

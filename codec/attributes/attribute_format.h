@@ -31,12 +31,14 @@ enum class Coder : std::uint8_t {
   sized = 3,    ///< positions by contexts of sizes (levels 5 to 9)
   mixed = 4,    ///< positions by experts, mixed (level 9)
   named = 5,    ///< anything else by contexts of sizes (levels 5 to 9)
+  normals = 6,  ///< normals by a formula of the positions (levels 5 to 9)
+  charts = 7,   ///< texture coordinates by the shape of the surface (levels 5 to 9)
 };
-inline constexpr unsigned coder_count = 6;
+inline constexpr unsigned coder_count = 8;
 
 constexpr const char* name(Coder c) {
-  constexpr const char* names[coder_count] = {"words", "planes", "ordered",
-                                              "sized", "mixed",  "named"};
+  constexpr const char* names[coder_count] = {"words", "planes", "ordered", "sized",
+                                              "mixed", "named",  "normals", "charts"};
   return names[static_cast<unsigned>(c)];
 }
 
@@ -59,7 +61,8 @@ inline std::string in_words(const Numbers& numbers) {
 struct AttributeHeader {
   Attribute attribute;        ///< without data
   StructureHeader structure;  ///< which elements have which values
-  double error = 0;           ///< no component is further from what was encoded
+  double error = 0;           ///< no value is further from what was encoded
+  ErrorMeasure measure = ErrorMeasure::difference;
   Coder coder = Coder::words;
   bool narrow = true;                     ///< integers are std::int32_t
   Predictor predictor = Predictor::none;  ///< of words and planes
@@ -90,7 +93,7 @@ struct AttributeHeader {
 enum class Along : std::uint8_t { nothing, surface, twins };
 inline Along along(const AttributeHeader& header) {
   if (header.attribute.domain == Domain::corner)
-    return header.structure.any || header.coder == Coder::named ? Along::twins : Along::nothing;
+    return header.structure.any || header.coder >= Coder::named ? Along::twins : Along::nothing;
   if (header.attribute.domain != Domain::vertex) return Along::nothing;
   if (header.in_planes())
     return header.predictor == Predictor::parallelogram || header.structure.any ? Along::surface
@@ -110,6 +113,7 @@ inline AttributeInfo info_of(const AttributeHeader& header) {
   info.coder = name(header.coder);
   info.structure = header.structure.in_words(a.domain);
   info.error = header.error;
+  info.measure = header.measure;
   return info;
 }
 
@@ -131,6 +135,7 @@ inline void put_attribute_header(Bytes& out, const AttributeHeader& header) {
   put_u8(out, static_cast<std::uint32_t>(a.scalar));
   put_u8(out, a.components);
   put_u8(out, static_cast<std::uint32_t>(header.coder) | (header.narrow ? 0 : 0x40) |
+                  (header.measure == ErrorMeasure::angle ? 0x20 : 0) |
                   (header.error > 0 ? 0x80 : 0));
   if (header.error > 0) {
     const std::uint64_t error = std::bit_cast<std::uint64_t>(header.error);
@@ -151,13 +156,13 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
   const auto name = in.take(in.u8());
   const std::uint32_t kind = in.u8(), domain = kind & 3, scalar = in.u8(), components = in.u8(),
                       how = in.u8();
-  const bool changed = how & 0x80;
+  const bool changed = how & 0x80, by_angle = how & 0x20;
   if (changed) {
     const std::uint64_t low = in.u32(), high = in.u32();
     header.error = std::bit_cast<double>(low | high << 32);
   }
   header.structure.read(in, kind);
-  const std::uint32_t coder = how & 0x3f;
+  const std::uint32_t coder = how & 0x1f;
   const std::uint32_t predictor = coder <= static_cast<std::uint32_t>(Coder::planes) ? in.u8() : 0;
   if (coder != static_cast<std::uint32_t>(Coder::words)) header.numbers_size = in.varint();
   if (header.numbers_size > in.left()) in.take(header.numbers_size);  // fails
@@ -178,8 +183,18 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
                         domain != static_cast<std::uint32_t>(Domain::vertex)))
     return fail(ErrorCode::invalid, Place::byte, at,
                 "a coder of positions, which must be three components of vertices");
+  if (coder == static_cast<std::uint32_t>(Coder::normals) &&
+      (components != 3 || domain == static_cast<std::uint32_t>(Domain::face)))
+    return fail(ErrorCode::invalid, Place::byte, at,
+                "a coder of normals, which must be three components of vertices or corners");
+  if (coder == static_cast<std::uint32_t>(Coder::charts) &&
+      (components != 2 || domain == static_cast<std::uint32_t>(Domain::face)))
+    return fail(ErrorCode::invalid, Place::byte, at,
+                "a coder of charts, which must be two components of vertices or corners");
   if (changed && !(header.error > 0 && std::isfinite(header.error)))
     return fail(ErrorCode::invalid, Place::byte, at, "an attribute with an error that is none");
+  if (by_angle && (!changed || components != 3))
+    return fail(ErrorCode::invalid, Place::byte, at, "an attribute with an angle that is none");
   if (predictor > static_cast<std::uint32_t>(Predictor::parallelogram) ||
       (predictor == static_cast<std::uint32_t>(Predictor::parallelogram) &&
        (header.structure.any ? domain == static_cast<std::uint32_t>(Domain::face)
@@ -193,6 +208,7 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
   header.attribute.components = static_cast<std::uint8_t>(components);
   header.coder = static_cast<Coder>(coder);
   header.narrow = (how & 0x40) == 0;
+  header.measure = by_angle ? ErrorMeasure::angle : ErrorMeasure::difference;
   if (header.coder == Coder::words && !header.narrow) return invalid("coder", how);
   header.predictor = static_cast<Predictor>(predictor);
   header.bytes = in.position();

@@ -2,6 +2,7 @@
 #include "codec/comparison/compared_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <numeric>
@@ -83,6 +84,32 @@ void add_missing(const Attribute& a, std::vector<Colour>& colours) {
     if (a.indices[i] == no_value) colours[i] = mix(colours[i]);
 }
 
+/// Values scaled to length 1, as doubles; what has no direction becomes NaN.
+Attribute unit_vectors(const Attribute& a) {
+  Attribute unit = {a.name, a.domain, Scalar::float64, 3, {}, {}};
+  const std::size_t count = a.data.size() / a.stride();
+  unit.data.resize(count * unit.stride());
+  for (std::size_t i = 0; i < count; ++i) {
+    Vector3 v = vector_at(a.scalar, a.data.data() + i * a.stride());
+    if (to_unit_range(v)) {
+      const double length = std::sqrt(dot(v, v));
+      for (double& x : v) x /= length;
+    } else {
+      v.fill(std::numeric_limits<double>::quiet_NaN());
+    }
+    put_vector(Scalar::float64, v, unit.data.data() + i * unit.stride());
+  }
+  return unit;
+}
+
+/// Components of unit vectors are no further apart than the vectors, and these no further than the
+/// arc; what rounding adds is less than a thousandth of a millionth.
+void add_near_directions(const Attribute& x, const Attribute& y, double degrees, Nearness nearness,
+                         std::vector<Colour>& colours_x, std::vector<Colour>& colours_y) {
+  add_near(unit_vectors(x), unit_vectors(y), degrees * 0.01746 + 1e-9, nearness, colours_x,
+           colours_y);
+}
+
 void colour_domain(ComparedMesh& a, ComparedMesh& b, Domain domain, Nearness nearness) {
   const auto [begin, end] = a.of_domain[static_cast<std::size_t>(domain)];
   for (std::size_t k = begin; k < end; ++k) {
@@ -93,12 +120,17 @@ void colour_domain(ComparedMesh& a, ComparedMesh& b, Domain domain, Nearness nea
       continue;
     }
     std::vector<Colour>&of_a = colours_of(a, x), &of_b = colours_of(b, y);
+    const auto add = [&](const Attribute& of_x, const Attribute& of_y) {
+      if (a.measure[k] == ErrorMeasure::angle)
+        add_near_directions(of_x, of_y, *a.tolerance[k], nearness, of_a, of_b);
+      else
+        add_near(of_x, of_y, *a.tolerance[k], nearness, of_a, of_b);
+    };
     if (x.indices.empty() && y.indices.empty()) {
-      add_near(x, y, *a.tolerance[k], nearness, of_a, of_b);
+      add(x, y);
       continue;
     }
-    add_near(x.indices.empty() ? x : expanded(x), y.indices.empty() ? y : expanded(y),
-             *a.tolerance[k], nearness, of_a, of_b);
+    add(x.indices.empty() ? x : expanded(x), y.indices.empty() ? y : expanded(y));
     add_missing(x, of_a);
     add_missing(y, of_b);
   }
@@ -130,6 +162,8 @@ ComparedMesh::ComparedMesh(const Mesh& mesh, std::span<const Tolerance> toleranc
     });
     tolerance.push_back(given != tolerances.end() ? std::optional(given->error) : std::nullopt);
     shared.push_back(false);
+    const bool by_angle = given != tolerances.end() && a.components == 3;
+    measure.push_back(by_angle ? given->measure : ErrorMeasure::difference);
   }
 }
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "codec/base/difference.h"
+#include "codec/base/direction.h"
 #include "codec/base/faces.h"
 #include "codec/comparison/colours.h"
 #include "codec/comparison/near_values.h"
@@ -38,6 +39,7 @@ struct ComparedMesh {
   /// Of each attribute, whether both meshes say by index which elements share a value: then it must
   /// be the same elements. compare_sharing() finds it.
   std::vector<bool> shared;
+  std::vector<ErrorMeasure> measure;  ///< what differences of each are
   std::vector<Colour> colour;         ///< of each vertex: its values, until it is refined
   std::vector<Colour> corner_values;  ///< of each corner; empty: has none
   std::vector<Colour> face_values;    ///< of each face; empty: has none
@@ -84,9 +86,12 @@ struct ComparedMesh {
   bool has(std::size_t k, std::uint32_t i) const {
     return attributes[k]->indices.empty() || attributes[k]->indices[i] != no_value;
   }
-  /// The largest difference of a component of attribute k. Precondition: both have a value.
+  /// The largest difference of a component of attribute k, or the angle. Precondition: both have a
+  /// value.
   double difference_of(std::size_t k, std::uint32_t i, const ComparedMesh& other,
                        std::uint32_t j) const {
+    if (measure[k] == ErrorMeasure::angle)
+      return angle_between(attributes[k]->scalar, value(k, i), other.value(k, j));
     return difference(attributes[k]->scalar, value(k, i), other.value(k, j),
                       attributes[k]->components);
   }

@@ -362,7 +362,7 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
       arrays = make_value_surface(faces, a.header.attribute.domain, structure,
                                   static_cast<std::size_t>(a.values()));
     const ValueSurface values_along =
-        a.header.structure.any ? arrays.view(position) : ValueSurface{surface, {}, position};
+        a.header.structure.any ? arrays.view(position) : ValueSurface{surface, {}, {}, position};
     auto attribute =
         finish_attribute(a.bytes, a.at, a.header, a.values(), std::move(*begun[i]), values_along);
     if (!attribute) return Failure{attribute.error()};
@@ -380,7 +380,8 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
   for (std::size_t i = 0; i < attributes; ++i) {
     const Attribute& a = sections.attributes[i].header.attribute;
     if (!sections.attributes[i].decoded) continue;
-    if (position == nullptr && a.domain == Domain::vertex && a.name == position_name) {
+    if (position == nullptr && a.domain == Domain::vertex && a.name == position_name &&
+        !sections.attributes[i].header.structure.any) {
       if (auto ok = finish(i); !ok) return Failure{ok.error()};
       position = &mesh.attributes[i];
     } else {

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "codec/attributes/residual_sizes.h"
@@ -187,6 +189,104 @@ TEST(SizedPositions, UseCopiesAndImages) {
     EXPECT_LT(8 * encode_sized_positions(s.view(), p.lattice(), order).size(),
               9 * s.introduced_by.size());
     for (unsigned i = 0; i < 5; ++i) check(s.view(), p, order, random);
+  }
+}
+
+/// A torus of 40 x 30 vertices, whose places `at(i, j)` says: i around it, j across.
+template <class Int, class At>
+std::pair<CodedArrays, Positions<Int>> torus(std::uint64_t top, At at) {
+  const Mesh mesh = corpus::torus(40, 30);
+  auto twins = find_twins({mesh.corners, {}}, mesh.vertex_count);
+  const auto coded = encode_connectivity({mesh.corners, *twins, mesh.vertex_count}, 5);
+  Positions<Int> p{{}, std::vector<Axis>(3, Axis{top})};
+  for (const std::uint32_t v : coded->vertices)
+    for (const std::uint64_t x : at(v / 30, v % 30)) p.rows.push_back(static_cast<Int>(x));
+  return {test::decoded(coded->bytes), p};
+}
+
+/// A number of 12 bits, or 55, always the same for a key.
+std::uint64_t rough(std::uint64_t key, unsigned bits = 12) {
+  corpus::Random random(key);
+  return random.next() >> (64 - bits);
+}
+
+unsigned repetition(const Bytes& bytes) {
+  return std::to_integer<unsigned>(bytes[0]) >> 2;
+}
+
+/// A rough profile that was moved along z: a place is three numbers that were there before.
+template <class Int>
+void expect_profiles_to_repeat(unsigned bits) {
+  corpus::Random random(6);
+  const auto [s, p] = torus<Int>((std::uint64_t(1) << bits) - 1, [&](unsigned i, unsigned j) {
+    return std::array{rough(j, bits), rough(100 + j, bits), rough(200 + i, bits)};
+  });
+  for (const VisitOrder order : orders) {
+    auto lattice = p;
+    const Bytes bytes = encode_sized_positions(s.view(), lattice.lattice(), order);
+    EXPECT_NE(repetition(bytes), 0u);
+    // Forty and sixty different numbers, and little to say which.
+    EXPECT_LT(8 * bytes.size(), s.introduced_by.size() * 2 + 120 * std::size_t(bits + 6));
+    for (unsigned i = 0; i < 20; ++i) check(s.view(), p, order, random);
+  }
+}
+TEST(SizedPositions, ProfilesRepeatThemselves) {
+  expect_profiles_to_repeat<std::int32_t>(12);
+  expect_profiles_to_repeat<std::int32_t>(28);
+  expect_profiles_to_repeat<std::int64_t>(55);
+}
+
+/// Two sides of a rough plate, far from each other along the surface: x and z of the second are
+/// those of the first, y is not. Takes less than where they are others.
+TEST(SizedPositions, LinesAreFound) {
+  corpus::Random random(7);
+  const auto plate = [](bool same) {
+    return torus<std::int32_t>(8191, [same](unsigned i, unsigned j) {
+      const std::uint64_t k = std::min(i, 39 - i), place = 30 * (same ? k : i) + j;
+      return std::array{190 * k + rough(place, 6), rough(10000 + 30 * i + j),
+                        130 * j + rough(20000 + place, 6)};
+    });
+  };
+  auto [s, p] = plate(true);
+  auto other = plate(false).second;
+  for (const VisitOrder order : orders) {
+    const Bytes bytes = encode_sized_positions(s.view(), p.lattice(), order);
+    EXPECT_EQ(repetition(bytes), 2u);
+    EXPECT_LT(bytes.size() * 100,
+              encode_sized_positions(s.view(), other.lattice(), order).size() * 90);
+    for (unsigned i = 0; i < 20; ++i) check(s.view(), p, order, random);
+  }
+}
+
+/// Places that come again with any period, at the ends of what numbers can be.
+TEST(SizedPositions, PeriodsComeBack) {
+  corpus::Random random(8);
+  const CodedArrays s = test::coded(corpus::torus(20, 15));
+  const auto repeated = [](auto p, std::size_t period) {
+    for (std::size_t i = 3 * period; i < p.rows.size(); ++i) p.rows[i] = p.rows[i - 3 * period];
+    return p;
+  };
+  for (const std::size_t period : {1u, 2u, 3u, 20u, 151u})
+    for (const VisitOrder order : orders)
+      for (const std::uint64_t top : {std::uint64_t(1), std::uint64_t(1) << 13, most_narrow}) {
+        check(s.view(),
+              repeated(any_positions<std::int32_t>(random, 300, any_axes(random, top)), period),
+              order, random);
+        check(s.view(),
+              repeated(any_positions<std::int64_t>(random, 300, std::vector<Axis>(3, {most_wide})),
+                       period),
+              order, random);
+      }
+}
+
+TEST(SizedPositions, NothingIsAskedWhereNothingRepeats) {
+  for (const VisitOrder order : orders) {
+    auto [s, p] = torus<std::int32_t>(4095, [&](unsigned i, unsigned j) {
+      return std::array<std::uint64_t, 3>{50 * i + rough(i * 30 + j, 3),
+                                          90 * j + rough(40 * j + i, 4),
+                                          2 * i * j + rough(7 * i + j, 2)};
+    });
+    EXPECT_EQ(repetition(encode_sized_positions(s.view(), p.lattice(), order)), 0u);
   }
 }
 
