@@ -134,7 +134,7 @@ class AttributeEncoder {
     // Positions that repeat themselves may do so in single components, which that coder looks for.
     if (is_position && best_.info.coder == name(Coder::planes)) {
       ranks_to_integers(lattice);
-      take(Coder::named, encode_named_values(lattice, surface_, Domain::vertex));
+      take(Coder::named, encode_named_values(lattice, along_, Domain::vertex));
     }
     return Done{};
   }

@@ -119,12 +119,12 @@ inline AttributeInfo info_of(const AttributeHeader& header) {
 
 /// The surface that so many values are predicted along: where it has the corners of all values, or
 /// their vertices.
-inline CodedSurface surface_of(const AttributeHeader& header, std::size_t count,
+inline ValueSurface surface_of(const AttributeHeader& header, std::size_t count,
                                const ValueSurface& along) {
   const Domain domain = header.coded_domain();
   const bool on_surface = domain == Domain::vertex ||
                           (domain == Domain::corner && along.surface.corners.size() == count);
-  return on_surface ? along.surface : CodedSurface{};
+  return on_surface ? along : ValueSurface{};
 }
 
 inline void put_attribute_header(Bytes& out, const AttributeHeader& header) {
