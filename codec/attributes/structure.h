@@ -82,8 +82,10 @@ inline ValueArrays make_value_surface(const CodedFaces& faces, Domain domain,
   out.vertex_of.resize(values);
   for (std::size_t e = structure.value_of.size(); e-- > 0;)
     if (structure.value_of[e] != no_value)
-      out.vertex_of[structure.value_of[e]] =
-          domain == Domain::corner ? faces.corners[e] : static_cast<std::uint32_t>(e);
+      out.vertex_of[structure.value_of[e]] = domain == Domain::corner ? faces.corners[e]
+                                             : faces.place_of.empty()
+                                                 ? static_cast<std::uint32_t>(e)
+                                                 : faces.place_of[e];
   return out;
 }
 inline std::uint64_t value_surface_memory(std::uint64_t half_edges, bool twins,
