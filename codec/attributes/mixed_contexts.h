@@ -24,13 +24,12 @@ namespace clers::internal {
 ///     first; and what is below as plain bits
 class MixedContexts {
  public:
-  static constexpr unsigned tables = 7;
+  static constexpr unsigned tables = 4;
 
   /// How many contexts each table has, and how many sets of weights there are.
   MixedContexts(const std::array<std::uint32_t, tables>& contexts, unsigned sets)
       : weights_(std::size_t(sets) * decisions) {
-    for (unsigned i = 0; i < tables; ++i)
-      slots_[i].resize(std::size_t(contexts[i]) * decisions);
+    for (unsigned i = 0; i < tables; ++i) slots_[i].resize(std::size_t(contexts[i]) * decisions);
     for (unsigned n = 0; n < rates_.size(); ++n) rates_[n] = (2u << 16) / (2 * n + 3);
   }
   /// The bytes that one takes.
@@ -42,8 +41,7 @@ class MixedContexts {
 
   /// Which contexts the next number is in, one of each table, and which set of weights.
   void set(const std::array<std::uint32_t, tables>& contexts, unsigned set) {
-    for (unsigned i = 0; i < tables; ++i)
-      at_[i] = &slots_[i][std::size_t(contexts[i]) * decisions];
+    for (unsigned i = 0; i < tables; ++i) at_[i] = &slots_[i][std::size_t(contexts[i]) * decisions];
     row_ = &weights_[std::size_t(set) * decisions];
   }
 
@@ -60,7 +58,8 @@ class MixedContexts {
     unsigned rest = l - 1;
     for (unsigned i = 0; i < 2 && rest > 0; ++i) {
       --rest;
-      const unsigned node = next + 3 * (std::min(l, own_bits) - 2) + static_cast<unsigned>(result) - 1;
+      const unsigned node =
+          next + 3 * (std::min(l, own_bits) - 2) + static_cast<unsigned>(result) - 1;
       result = 2 * result | decide(coder, node, n >> rest & 1);
     }
     while (rest > 0) {
@@ -75,7 +74,7 @@ class MixedContexts {
 
  private:
   static constexpr unsigned most_length = 62;
-  static constexpr unsigned lengths = 16;   ///< with decisions of their own
+  static constexpr unsigned lengths = 16;  ///< with decisions of their own
   static constexpr unsigned own_bits = 7;  ///< lengths with bits of their own
   static constexpr unsigned zero = 0, sign = 1, longer = 2, next = longer + lengths,
                             decisions = next + 3 * (own_bits - 1);
@@ -88,13 +87,13 @@ class MixedContexts {
     std::uint16_t seen = 0;
   };
   struct Weights {
-    alignas(16) std::array<std::int32_t, 8> of = {first, first, first, first, first, first, first, 0};
-    static constexpr std::int32_t first = mixer::one / 28 * 5;
+    alignas(16) std::array<std::int32_t, 8> of = {first, first, first, first};
+    static constexpr std::int32_t first = mixer::one / 16 * 5;
   };
 
   template <class Coder>
   bool decide(Coder& coder, unsigned decision, bool value) {
-    alignas(16) std::array<std::int16_t, 8> said;
+    alignas(16) std::array<std::int16_t, 8> said = {};
     for (unsigned i = 0; i < tables; ++i)
       said[i] = static_cast<std::int16_t>(
           logistic.stretch(static_cast<std::uint32_t>(at_[i][decision].share) << 6));
@@ -103,8 +102,8 @@ class MixedContexts {
     const int logit =
         std::clamp(mixer::dot(said.data(), weights.of.data(), 8) >> 12, -max_logit, max_logit);
     const int p = logistic.squash(logit);
-    const bool yes = coder.decide(
-        std::clamp(static_cast<std::uint32_t>(p) / 2, 32u, rans::most_certain), value);
+    const bool yes =
+        coder.decide(std::clamp(static_cast<std::uint32_t>(p) / 2, 32u, rans::most_certain), value);
     const int error = (yes ? 65536 : 0) - p;
     mixer::train(said.data(), weights.of.data(), 8,
                  static_cast<std::int16_t>(error * learning / 256));

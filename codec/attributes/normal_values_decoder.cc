@@ -11,8 +11,8 @@
 namespace clers::internal {
 
 bool may_be_normals(const Numbers& numbers, const ValueSurface& along) {
-  const bool three = numbers.axes.size() == 3 &&
-                     (is_float(numbers.scalar) || clers::size_of(numbers.scalar) <= 2);
+  const bool three =
+      numbers.axes.size() == 3 && (is_float(numbers.scalar) || clers::size_of(numbers.scalar) <= 2);
   return (numbers.octahedral_bits() > 0 || three) && along.position != nullptr &&
          along.position->components == 3;
 }
