@@ -28,10 +28,9 @@ Expected<Done> decode_weights(std::span<const std::byte> bytes, std::uint64_t at
   LaneDecoder coder(in);
   if (!in.ok()) return Failure{in.error()};
   WeightsModel<Int, LaneDecoder> model(coder, numbers, rows);
-  const bool ok =
-      for_each_with_nearby(along, values, values, [&](std::uint32_t v, const Nearby& nearby) {
-        return model.code(v, nearby);
-      });
+  const bool ok = for_each_with_nearby(
+      along, values, values,
+      [&](std::uint32_t v, const Nearby& nearby) { return model.code(v, nearby); });
   if (!ok) return invalid("a weight beyond the greatest");
   if (!coder.finished()) return invalid("weights do not end where their bytes end");
   for (std::size_t c = 0; c < numbers.axes.size(); ++c) {

@@ -119,8 +119,7 @@ class WeightsModel {
 
   bool code_same(std::uint32_t v, std::uint32_t u) {
     bool same = false;
-    if constexpr (Coder::encodes)
-      same = std::equal(&at(v, 0), &at(v, 0) + width_, &at(u, 0));
+    if constexpr (Coder::encodes) same = std::equal(&at(v, 0), &at(v, 0) + width_, &at(u, 0));
     same = coder_.flag(2, same_[last_same_], same);
     last_same_ = (2 * last_same_ + same) % 4;
     if (!same) return false;
@@ -136,7 +135,10 @@ class WeightsModel {
     if (zero) {
       std::size_t zeros = 0;
       for (std::size_t i = 0; i < nearby.count; ++i) zeros += is_zero(nearby.around[i], c);
-      const std::size_t around = nearby.count == 0 ? 1 : zeros == 0 ? 0 : zeros < nearby.count ? 1 : 2;
+      const std::size_t around = nearby.count == 0      ? 1
+                                 : zeros == 0           ? 0
+                                 : zeros < nearby.count ? 1
+                                                        : 2;
       if constexpr (Coder::encodes) is = at(v, c) == static_cast<Int>(*zero);
       is = coder_.flag(2, components_[c].zero[before][around], is);
       if (is) at(v, c) = static_cast<Int>(*zero);
@@ -172,10 +174,11 @@ class WeightsModel {
       sizes += size(u, c) - 1;
       ++count;
     }
-    const std::int64_t from = count == 0 ? component.last : first + off / count * (std::int64_t(1) << coarse);
+    const std::int64_t from =
+        count == 0 ? component.last : first + off / count * (std::int64_t(1) << coarse);
     const unsigned usual = component.usual.size(),
-                   expected = count == 0 ? usual
-                                         : (static_cast<unsigned>(sizes / count) + usual) / 2;
+                   expected =
+                       count == 0 ? usual : (static_cast<unsigned>(sizes / count) + usual) / 2;
     std::int64_t r = 0;
     if constexpr (Coder::encodes) r = at(v, c) - from;
     if (!code_residual(v, c, from, {0, expected}, r)) return false;
