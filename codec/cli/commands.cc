@@ -61,6 +61,23 @@ Outcome<std::optional<Format>> format_of_output(const Options& options,
   return std::optional(*named);
 }
 
+/// Writes the files that one at `output` names, but for those that are there already.
+Outcome<Done> save_beside(const Options& options, const std::string& output,
+                          std::span<const gltf::File> files) {
+  const FileIds inputs = ids_of(options.inputs);
+  std::vector<const gltf::File*> missing;
+  for (const gltf::File& file : files) {
+    const std::string path = beside(output, file.path);
+    if (const auto there = read_file(path); there && *there == file.bytes) continue;
+    if (auto ok = check_output(path, options.force, inputs); !ok) return ok;
+    missing.push_back(&file);
+  }
+  for (const gltf::File* file : missing)
+    if (auto ok = write_file(beside(output, file->path), file->bytes, options.force); !ok)
+      return ok;
+  return Done{};
+}
+
 /// Writes a scene in a format and saves it, which are two stages.
 Outcome<Done> save_scene(const Options& options, Job& job, const Scene& scene, Format format,
                          io::Encoding encoding, const std::string& output) {
@@ -74,11 +91,7 @@ Outcome<Done> save_scene(const Options& options, Job& job, const Scene& scene, F
   job.progress().next();
   const auto written = write_scene(scene, std::get<gltf::Form>(format), output);
   if (!written) return Failure{written.error()};
-  const FileIds inputs = ids_of(options.inputs);
-  for (const gltf::File& file : written->files)
-    if (auto ok = check_output(beside(output, file.path), options.force, inputs); !ok) return ok;
-  for (const gltf::File& file : written->files)
-    if (auto ok = write_file(beside(output, file.path), file.bytes, options.force); !ok) return ok;
+  if (auto ok = save_beside(options, output, written->files); !ok) return ok;
   return job.save(output, written->bytes);
 }
 

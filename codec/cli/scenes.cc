@@ -59,6 +59,10 @@ Outcome<gltf::Written> write_scene(const Scene& scene, gltf::Form form, const st
   if (form == gltf::Form::gltf && path != "-")
     how.buffer_name = fs::path(path).stem().string() + ".bin";
   Expected<gltf::Written> written = gltf::write(scene, how);
+  if (!written && written.error().code == ErrorCode::unsupported)
+    return stop(Exit::usage, output_name(path) +
+                                 ": what was encoded is no glTF scene; --to ply, obj, off or stl "
+                                 "takes its meshes");
   if (!written) return stop(output_name(path), written.error());
   return std::move(*written);
 }

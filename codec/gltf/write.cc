@@ -56,6 +56,7 @@ class Builder {
  private:
   /// Reads the document, and makes its plan again.
   Expected<Done> open() {
+    if (scene_.document.empty()) return fail(ErrorCode::unsupported, "this was not made of a glTF");
     auto document = parse(scene_.document);
     if (!document) return Failure{document.error()};
     document_ = std::move(*document);
