@@ -201,7 +201,7 @@ void position_encode(benchmark::State& state) {
   const CodedMesh coded(mesh_of(state));
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        must(encode_attribute(*coded.mesh.position(), coded.surface(), default_level)));
+        must(encode_attribute(*coded.mesh.position(), {}, {coded.surface()}, default_level)));
   count_items(state, coded.mesh.face_count());
 }
 BENCHMARK(position_encode)->Apply(shapes);
@@ -209,12 +209,12 @@ BENCHMARK(position_encode)->Apply(shapes);
 void position_decode(benchmark::State& state) {
   const CodedMesh coded(mesh_of(state));
   const Bytes bytes =
-      must(encode_attribute(*coded.mesh.position(), coded.surface(), default_level)).bytes;
+      must(encode_attribute(*coded.mesh.position(), {}, {coded.surface()}, default_level)).bytes;
   const AttributeHeader header = must(read_attribute_header(bytes, 0));
   const std::uint32_t count = coded.mesh.vertex_count;
   for (auto _ : state)
     benchmark::DoNotOptimize(must(finish_attribute(
-        bytes, 0, header, count, must(begin_attribute(bytes, 0, header, count)), coded.surface())));
+        bytes, 0, header, count, must(begin_attribute(bytes, 0, header, count)), {coded.surface()})));
   count_items(state, coded.mesh.face_count());
 }
 BENCHMARK(position_decode)->Apply(shapes);

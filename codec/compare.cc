@@ -53,7 +53,8 @@ std::vector<FoundError> found_errors(const ComparedMesh& mesh, const std::vector
   std::vector<FoundError> found;
   for (std::size_t k = 0; k < errors.size(); ++k)
     if (mesh.tolerance[k])
-      found.push_back({mesh.attributes[k]->name, mesh.attributes[k]->domain, errors[k]});
+      found.push_back(
+          {mesh.attributes[k]->name, mesh.attributes[k]->domain, errors[k], mesh.measure[k]});
   return found;
 }
 
@@ -142,6 +143,7 @@ Comparison compare_checked(const Mesh& a, const Mesh& b, std::span<const Toleran
   if (auto what = counts_differ(a, b)) return differ(std::move(*what));
   ComparedMesh first(a, tolerances), second(b, tolerances);
   if (auto what = attributes_differ(first, second)) return differ(std::move(*what));
+  if (auto what = compare_sharing(first, second)) return differ(std::move(*what));
   colour_values(first, second);
   Attempt attempt = compare_structure(first, second);
   if (attempt.comparison.verdict == Verdict::undecided && !first.is_exact())
@@ -185,8 +187,9 @@ Expected<Comparison> compare(const Mesh& a, const Mesh& b, std::span<const Toler
   return guarded("compare", [&]() -> Expected<Comparison> {
     if (auto error = refused(a, b, tolerances)) return Failure{std::move(*error)};
     if (auto what = counts_differ(a, b)) return differ(std::move(*what));
-    const ComparedMesh first(a, tolerances), second(b, tolerances);
+    ComparedMesh first(a, tolerances), second(b, tolerances);
     if (auto what = attributes_differ(first, second)) return differ(std::move(*what));
+    if (auto what = compare_sharing(first, second)) return differ(std::move(*what));
     const DoublePrecision doubles;
     std::vector<double> errors;
     auto wrong = renumbering_fails(first, second, renumbering, errors);

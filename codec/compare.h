@@ -16,6 +16,9 @@ namespace CLERS_VISIBLE clers {
 /// Compares without any knowledge of the codec: refines classes of vertices by their values and
 /// neighbourhoods until a renumbering is forced, then checks it. Positions may coincide. Attributes
 /// are matched by name and domain; neither their order nor names and metadata of the meshes matter.
+/// An element without a value agrees with such alone. Where both have values by index, elements
+/// must share them in both, whatever the numbers of values are, and those that no element has must
+/// be there too; else it is only asked which value each element has.
 /// Errors: inconsistent_mesh, too_large (2^32 - 1 corners or more), out_of_memory. Thread safe.
 ///
 /// Cost: n log n in vertices, corners and values, also for duplicate faces, many faces at one edge

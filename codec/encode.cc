@@ -24,9 +24,11 @@ namespace {
 
 using namespace internal;
 
-/// Faces of a piece; 0 where the mesh stays whole.
+/// Faces of a piece; 0 where the mesh stays whole: values by index belong to all of it.
 std::uint32_t piece_faces(const MeshView& mesh, const EncodeOptions& options) {
   const std::size_t faces = mesh.face_count();
+  for (const AttributeView a : mesh.attributes)
+    if (!a.indices.empty()) return 0;
   if (!options.piece_faces) {
     // Without positions it takes longer to part a mesh than to code it.
     if (faces <= most_faces_whole || !mesh.position()) return 0;

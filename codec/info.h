@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <clers/mesh.h>
+#include <clers/precision.h>
 #include <clers/topology/export.h>
 
 namespace CLERS_VISIBLE clers {
@@ -41,13 +42,17 @@ struct AttributeInfo {
   Domain domain = Domain::vertex;
   Scalar scalar = Scalar::float32;
   std::uint8_t components = 1;
-  std::uint64_t count = 0;  ///< values
+  std::uint64_t count = 0;  ///< values: one an element, or as many as there are by index
   std::uint64_t bytes = 0;  ///< compressed
   /// What values have in common, by which they became integers, and what coded these, for people:
   /// "3 decimals", "steps of 0.01", "float, 24 bits"; "sized", "named". Of the first piece.
   std::string numbers, coder;
-  /// By how much a component of its values was changed at most. 0: they come back bit for bit.
+  /// Which elements have which values, for people; empty: each its own. "wedges": corners that no
+  /// seam parts share one; "by index", "shared", "some missing", "some unused".
+  std::string structure;
+  /// By how much its values were changed at most. 0: they come back bit for bit.
   double error = 0;
+  ErrorMeasure measure = ErrorMeasure::difference;  ///< what the error is
 
   std::uint64_t value_size() const { return size_of(scalar) * components; }
 };

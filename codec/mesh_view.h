@@ -32,6 +32,10 @@ struct AttributeView {
   std::size_t value_size() const { return size_of(scalar) * components; }
   std::size_t step() const { return stride == 0 ? value_size() : stride; }
   const std::byte* value(std::size_t i) const { return data.data() + i * step(); }
+  /// How many there are. Precondition: `data` is as it says.
+  std::size_t value_count() const {
+    return data.empty() ? 0 : (data.size() - value_size()) / step() + 1;
+  }
 };
 
 /// The attributes of a Mesh, or an array of views.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <clers/mesh.h>
+#include <clers/precision.h>
 #include <clers/topology/export.h>
 
 namespace CLERS_VISIBLE clers {
@@ -18,18 +19,21 @@ enum class Verdict {
   undecided,  ///< neither could be shown within the work allowed, or colours collided
 };
 
-/// How far the components of an attribute's values may be apart.
+/// How far the components of an attribute's values may be apart, or their directions.
 struct Tolerance {
   std::string name;
   double error = 0;                   ///< at least 0
   std::optional<Domain> domain = {};  ///< not set: any
+  /// angle: for attributes of three components.
+  ErrorMeasure measure = ErrorMeasure::difference;
 };
 
-/// The largest difference of any component of an attribute.
+/// The largest difference of any component of an attribute, or the largest angle.
 struct FoundError {
   std::string attribute;
   Domain domain = Domain::vertex;
   double error = 0;
+  ErrorMeasure measure = ErrorMeasure::difference;
 };
 
 struct Comparison {

@@ -8,6 +8,7 @@
 #include "codec/attributes/integer_planes.h"
 #include "codec/attributes/mixed_coder.h"
 #include "codec/attributes/named_values_decoder.h"
+#include "codec/attributes/normal_values_decoder.h"
 #include "codec/attributes/ordered_integers.h"
 #include "codec/attributes/planes.h"
 #include "codec/attributes/sized_positions.h"
@@ -68,24 +69,31 @@ Lattice<Int> lattice_of(std::vector<Int>& rows, std::span<const Axis> axes) {
 }
 
 /// Rows of `count` values.
-Rows make_rows(const AttributeHeader& header, std::size_t count) {
-  const std::size_t n = count * header.attribute.components;
-  if (header.narrow) return std::vector<std::int32_t>(n);
+Rows make_rows(const Numbers& numbers, std::size_t count) {
+  const std::size_t n = count * numbers.axes.size();
+  if (numbers.narrow()) return std::vector<std::int32_t>(n);
   return std::vector<std::int64_t>(n);
 }
 
 /// Integers of residuals, or of what codes them along the surface.
 template <class Int>
-Expected<Done> finish_integers(const AttributeHeader& header, OrderPredictor predictor,
-                               std::span<const std::byte> coded, std::uint64_t at,
-                               const CodedSurface& surface, const Lattice<Int>& lattice) {
+Expected<Done> finish_integers(const AttributeHeader& header, const Numbers& numbers,
+                               OrderPredictor predictor, std::span<const std::byte> coded,
+                               std::uint64_t at, const ValueSurface& along,
+                               const Lattice<Int>& lattice) {
+  if (header.coder == Coder::normals) {
+    if (!may_be_normals(numbers, along))
+      return fail(ErrorCode::invalid, Place::byte, at,
+                  "a coder of normals for numbers that are none, or without positions");
+    return decode_normals<Int>(coded, at, numbers, along, lattice.rows);
+  }
+  const CodedSurface& surface = along.surface;
   if (header.coder == Coder::mixed) return decode_mixed(coded, at, surface, lattice);
   if (header.coder == Coder::sized) return decode_sized_positions(coded, at, surface, lattice);
   if (header.coder == Coder::named)
-    return decode_named_values(coded, at, lattice.axes,
-                               surface_of(header.attribute, lattice.count(), surface), lattice.rows,
-                               header.attribute.domain);
-  const bool of_vertices = header.attribute.domain == Domain::vertex;
+    return decode_named_values(coded, at, lattice.axes, surface_of(header, lattice.count(), along),
+                               lattice.rows, header.coded_domain());
+  const bool of_vertices = header.coded_domain() == Domain::vertex;
   const std::vector<Axis> axes = with_ranks(lattice.axes);
   const Lattice<Int> ranks{lattice.rows, axes};
   const auto ok = header.coder == Coder::planes
@@ -138,7 +146,7 @@ Expected<BegunAttribute> begin_attribute(std::span<const std::byte> bytes, std::
                 "integers of another size than the attribute says");
   begun.numbers = std::move(*numbers);
   if (!header.begins_without_faces()) return begun;
-  begun.rows = make_rows(header, static_cast<std::size_t>(count));
+  begun.rows = make_rows(begun.numbers->numbers(), static_cast<std::size_t>(count));
   const auto coded = integers_of(bytes, header);
   const std::uint64_t coded_at = at + bytes.size() - coded.size();
   const std::vector<Axis> axes = with_ranks(begun.numbers->numbers().axes);
@@ -158,10 +166,10 @@ Expected<BegunAttribute> begin_attribute(std::span<const std::byte> bytes, std::
 
 Expected<Attribute> finish_attribute(std::span<const std::byte> bytes, std::uint64_t at,
                                      const AttributeHeader& header, std::uint64_t count,
-                                     BegunAttribute begun, const CodedSurface& surface) {
-  if (header.coder == Coder::words) return words_of(header, std::move(begun.words), surface);
+                                     BegunAttribute begun, const ValueSurface& along) {
+  if (header.coder == Coder::words) return words_of(header, std::move(begun.words), along.surface);
   if (!header.begins_without_faces())
-    begun.rows = make_rows(header, static_cast<std::size_t>(count));
+    begun.rows = make_rows(begun.numbers->numbers(), static_cast<std::size_t>(count));
   const std::vector<Axis>& axes = begun.numbers->numbers().axes;
   const auto coded = integers_of(bytes, header);
   const std::uint64_t coded_at = at + bytes.size() - coded.size();
@@ -169,7 +177,8 @@ Expected<Attribute> finish_attribute(std::span<const std::byte> bytes, std::uint
   const auto ok = std::visit(
       [&](auto& rows) -> Expected<Done> {
         const auto lattice = lattice_of(rows, axes);
-        if (auto done = finish_integers(header, begun.predictor, coded, coded_at, surface, lattice);
+        if (auto done = finish_integers(header, begun.numbers->numbers(), begun.predictor, coded,
+                                        coded_at, along, lattice);
             !done)
           return done;
         attribute.data.resize(static_cast<std::size_t>(count) * attribute.stride());
@@ -199,7 +208,8 @@ AttributeMemory decoding_memory(std::span<const std::byte> bytes, const Attribut
           ? named_values_memory(count, header.attribute.components, surface.vertices)
       : header.coder == Coder::sized
           ? sized_positions_memory(integers_of(bytes, header), count, surface.triangles)
-          : mixed_memory(count, surface.triangles);
+      : header.coder == Coder::normals ? normals_memory(count, surface.vertices)
+                                       : mixed_memory(count, surface.triangles);
   return {numbers, 0, integers + coding};
 }
 

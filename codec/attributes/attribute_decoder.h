@@ -19,6 +19,8 @@
 
 namespace clers::internal {
 
+// `count` is how many values are coded: header.values(elements).
+
 /// Whether what follows the header can hold `count` values, as far as can be seen without decoding
 /// them. Errors: invalid.
 Expected<Done> check_values(std::span<const std::byte> bytes, std::uint64_t at,
@@ -44,11 +46,11 @@ struct BegunAttribute {
 Expected<BegunAttribute> begin_attribute(std::span<const std::byte> bytes, std::uint64_t at,
                                          const AttributeHeader& header, std::uint64_t count);
 
-/// Makes the values. `bytes` are the same, `surface` has what along(header) says. Errors: invalid.
-/// Throws std::bad_alloc only.
+/// Makes the values that are coded, in their order. `bytes` are the same, `along` has what
+/// along(header) says. Errors: invalid. Throws std::bad_alloc only.
 Expected<Attribute> finish_attribute(std::span<const std::byte> bytes, std::uint64_t at,
                                      const AttributeHeader& header, std::uint64_t count,
-                                     BegunAttribute begun, const CodedSurface& surface);
+                                     BegunAttribute begun, const ValueSurface& along);
 
 /// What a surface has.
 struct SurfaceSize {

@@ -10,6 +10,8 @@
 #include "codec/attributes/integer_planes.h"
 #include "codec/attributes/mixed_coder.h"
 #include "codec/attributes/named_values_encoder.h"
+#include "codec/attributes/normal_values_decoder.h"
+#include "codec/attributes/normal_values_encoder.h"
 #include "codec/attributes/ordered_integers.h"
 #include "codec/attributes/planes.h"
 #include "codec/attributes/sized_positions.h"
@@ -38,30 +40,37 @@ Bytes words_of(const Attribute& attribute) {
 
 class AttributeEncoder {
  public:
-  AttributeEncoder(const Attribute& attribute, const CodedSurface& surface, int level)
-      : attribute_(attribute), surface_(surface), level_(level) {
+  AttributeEncoder(const Attribute& attribute, const StructureHeader& structure,
+                   const ValueSurface& along, int level)
+      : attribute_(attribute), along_(along), surface_(along.surface), level_(level) {
     header_.attribute = {
         attribute.name, attribute.domain, attribute.scalar, attribute.components, {}};
+    header_.structure = structure;
+    is_position_ = attribute.domain == Domain::vertex && attribute.name == position_name;
     predictors_ = {Predictor::none, Predictor::previous};
-    if (attribute.domain == Domain::vertex && !surface.corners.empty()) {
+    if (of_vertices() && !surface_.corners.empty()) {
       predictors_.push_back(Predictor::parallelogram);
-      if (attribute.name == position_name) predictors_ = {Predictor::parallelogram};
+      if (is_position_) predictors_ = {Predictor::parallelogram};
     }
   }
 
   Expected<EncodedAttribute> run(const AttributePlan& plan) {
     header_.error = plan.error;
+    header_.measure = plan.measure;
+    if (plan.integers_of) header_.attribute.scalar = *plan.integers_of;
     NumberedValues numbered =
         plan.systems.empty()
             ? number_values(attribute_.data, attribute_.scalar, attribute_.components, level_)
+        : plan.integers_of
+            ? put_integers(attribute_.data, *plan.integers_of, plan.systems)
             : put_into_systems(attribute_.data, attribute_.scalar, plan.systems, level_);
     header_.narrow = numbered.numbers.narrow();
     const auto ok =
         header_.narrow ? integers(numbered, numbered.narrow) : integers(numbered, numbered.wide);
     if (!ok) return Failure{ok.error()};
+    if (plan.systems.empty() && level_ >= 5) lines();
     if (plan.systems.empty() && level_ >= 5)
       if (auto done = words(); !done) return Failure{done.error()};
-    best_.info.count = attribute_.data.size() / attribute_.stride();
     best_.info.bytes = best_.bytes.size();
     return std::move(best_);
   }
@@ -99,13 +108,13 @@ class AttributeEncoder {
     const auto take = [&](Coder coder, const Bytes& coded) {
       consider(coder, Predictor::none, numbered.bytes, coded, words);
     };
-    const bool of_vertices = attribute_.domain == Domain::vertex;
-    const bool is_position = of_vertices && attribute_.name == position_name && axes.size() == 3;
+    const bool is_position = is_position_ && axes.size() == 3;
     const Lattice<Int> lattice{rows, axes};
     if (!is_position && level_ >= 5)
-      take(Coder::named,
-           encode_named_values(lattice, surface_of(attribute_, lattice.count(), surface_),
-                               attribute_.domain));
+      take(Coder::named, encode_named_values(lattice, surface_of(header_, lattice.count(), along_),
+                                             header_.coded_domain()));
+    if (!is_position && level_ >= 5 && of_vertices() && may_be_normals(numbered.numbers, along_))
+      take(Coder::normals, encode_normals<Int>(rows, numbered.numbers, along_));
     if (is_position && level_ == 9) take(Coder::mixed, encode_mixed(surface_, lattice));
     if (is_position && level_ >= 7)
       take(Coder::sized, encode_sized_positions(surface_, lattice, VisitOrder::parallelograms));
@@ -114,7 +123,7 @@ class AttributeEncoder {
     integers_to_ranks(Lattice<Int>{rows, axes});
     const std::vector<Axis> ranked = with_ranks(axes);
     const Lattice<const Int> ranks{rows, ranked};
-    take(Coder::ordered, encode_ordered(ranks, of_vertices ? surface_ : CodedSurface{}, level_));
+    take(Coder::ordered, encode_ordered(ranks, of_vertices() ? surface_ : CodedSurface{}, level_));
     if (level_ < 5) return Done{};
     auto packed = pack_integers(ranks, predictors_, surface_, zstd_level(level_),
                                 most_quick(numbered.bytes.size()));
@@ -129,6 +138,22 @@ class AttributeEncoder {
     return Done{};
   }
 
+  /// Normals in numbers that are nearer to each other than those that other coders do best with.
+  void lines() {
+    if (is_position_ || !of_vertices() || along_.position == nullptr ||
+        attribute_.components != 3 || !is_float(attribute_.scalar))
+      return;
+    for (NumberedValues& numbered :
+         number_for_lines(attribute_.data, attribute_.scalar, 3, level_)) {
+      if (!may_be_normals(numbered.numbers, along_)) continue;
+      header_.narrow = numbered.numbers.narrow();
+      const Bytes coded =
+          header_.narrow ? encode_normals<std::int32_t>(numbered.narrow, numbered.numbers, along_)
+                         : encode_normals<std::int64_t>(numbered.wide, numbered.numbers, along_);
+      consider(Coder::normals, Predictor::none, numbered.bytes, coded, in_words(numbered.numbers));
+    }
+  }
+
   Expected<Done> words() {
     const WordShape shape{attribute_.scalar, attribute_.components};
     auto packed = pack_planes(words_of(attribute_), shape, predictors_, surface_,
@@ -139,9 +164,13 @@ class AttributeEncoder {
     return Done{};
   }
 
+  bool of_vertices() const { return header_.coded_domain() == Domain::vertex; }
+
   const Attribute& attribute_;
+  const ValueSurface& along_;
   const CodedSurface& surface_;
   const int level_;
+  bool is_position_ = false;
   AttributeHeader header_;
   std::vector<Predictor> predictors_;
   EncodedAttribute best_;
@@ -149,9 +178,38 @@ class AttributeEncoder {
 
 }  // namespace
 
-Expected<EncodedAttribute> encode_attribute(const Attribute& attribute, const CodedSurface& surface,
+Expected<EncodedAttribute> encode_attribute(const Attribute& attribute,
+                                            const StructureHeader& structure,
+                                            const ValueSurface& along, int level,
+                                            const AttributePlan& plan) {
+  auto coded = AttributeEncoder(attribute, structure, along, level).run(plan);
+  if (coded) coded->info.count = attribute.value_count();
+  return coded;
+}
+
+Expected<EncodedAttribute> encode_attribute(const Attribute& attribute,
+                                            std::vector<EncodedStructure> ways,
+                                            const CodedFaces& faces, const Attribute* position,
                                             int level, const AttributePlan& plan) {
-  return AttributeEncoder(attribute, surface, level).run(plan);
+  const Domain domain = attribute.domain;
+  const std::size_t elements = faces.count(domain);
+  std::optional<EncodedAttribute> best;
+  for (EncodedStructure& way : ways) {
+    StructureHeader& header = way.header;
+    header.stream.bytes = way.stream;
+    header.numbering.bytes = way.numbering;
+    Attribute values{attribute.name, domain, attribute.scalar, attribute.components,
+                     std::move(way.values)};
+    ValueArrays arrays;
+    if (header.any) arrays = make_value_surface(faces, domain, way.structure, values.value_count());
+    const ValueSurface along =
+        header.any ? arrays.view(position) : ValueSurface{faces.surface, {}, {}, position};
+    auto coded = encode_attribute(values, header, along, level, plan);
+    if (!coded) return coded;
+    coded->info.count = header.indexed ? header.distinct : elements;
+    if (!best || coded->bytes.size() < best->bytes.size()) best = std::move(*coded);
+  }
+  return std::move(*best);
 }
 
 }  // namespace clers::internal

@@ -4,7 +4,10 @@
 
 #include <vector>
 
-#include "codec/connectivity/coded_surface.h"
+#include "codec/attributes/coded_faces.h"
+#include "codec/attributes/structure_encoder.h"
+#include "codec/attributes/structure_format.h"
+#include "codec/attributes/value_surface.h"
 #include "codec/entropy/bytes.h"
 #include "codec/error.h"
 #include "codec/info.h"
@@ -21,10 +24,20 @@ struct EncodedAttribute {
 /// The first level whose coders use twins.
 inline constexpr int first_level_with_twins = 5;
 
-/// Encodes values that are already in the order of the coded mesh. The bytes name and describe the
-/// attribute.  Errors: internal. Throws std::bad_alloc only.
-Expected<EncodedAttribute> encode_attribute(const Attribute& attribute, const CodedSurface& surface,
-                                            int level, const AttributePlan& plan = {});
+/// Encodes values that are already in the order in which they are coded: those of a structure, or
+/// one an element of the coded mesh. The bytes name and describe the attribute. Errors: internal.
+/// Throws std::bad_alloc only.
+Expected<EncodedAttribute> encode_attribute(const Attribute& attribute,
+                                            const StructureHeader& structure,
+                                            const ValueSurface& along, int level,
+                                            const AttributePlan& plan = {});
+
+/// Which element has which value is found too, in several ways, of which one is kept that takes
+/// least. `beside` as for encode_structures, whose result `ways` is.
+Expected<EncodedAttribute> encode_attribute(const Attribute& attribute,
+                                            std::vector<EncodedStructure> ways,
+                                            const CodedFaces& faces, const Attribute* position,
+                                            int level, const AttributePlan& plan);
 
 }  // namespace clers::internal
 

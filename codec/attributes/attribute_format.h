@@ -8,8 +8,11 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "codec/attributes/prediction.h"
+#include "codec/attributes/structure_format.h"
+#include "codec/attributes/value_surface.h"
 #include "codec/base/utf8.h"
 #include "codec/connectivity/coded_surface.h"
 #include "codec/entropy/bytes.h"
@@ -28,12 +31,13 @@ enum class Coder : std::uint8_t {
   sized = 3,    ///< positions by contexts of sizes (levels 5 to 9)
   mixed = 4,    ///< positions by experts, mixed (level 9)
   named = 5,    ///< anything else by contexts of sizes (levels 5 to 9)
+  normals = 6,  ///< normals by a formula of the positions (levels 5 to 9)
 };
-inline constexpr unsigned coder_count = 6;
+inline constexpr unsigned coder_count = 7;
 
 constexpr const char* name(Coder c) {
-  constexpr const char* names[coder_count] = {"words", "planes", "ordered",
-                                              "sized", "mixed",  "named"};
+  constexpr const char* names[coder_count] = {"words", "planes", "ordered", "sized",
+                                              "mixed", "named",  "normals"};
   return names[static_cast<unsigned>(c)];
 }
 
@@ -54,14 +58,30 @@ inline std::string in_words(const Numbers& numbers) {
 }
 
 struct AttributeHeader {
-  Attribute attribute;  ///< without data
-  double error = 0;     ///< no component is further from what was encoded
+  Attribute attribute;        ///< without data
+  StructureHeader structure;  ///< which elements have which values
+  double error = 0;           ///< no value is further from what was encoded
+  ErrorMeasure measure = ErrorMeasure::difference;
   Coder coder = Coder::words;
   bool narrow = true;                     ///< integers are std::int32_t
   Predictor predictor = Predictor::none;  ///< of words and planes
   std::uint64_t numbers_size = 0;         ///< of all but words: bytes of what follows the header,
                                           ///< before the integers
   std::size_t bytes = 0;                  ///< that the header takes
+
+  /// How many values are coded, for so many elements.
+  std::uint64_t values(std::uint64_t elements) const {
+    return structure.any ? structure.values : elements;
+  }
+  /// How many come out, by index or expanded.
+  std::uint64_t result_values(std::uint64_t elements) const {
+    return structure.indexed ? structure.distinct : elements;
+  }
+  /// What values are coded as: those of corners with a structure along a surface of their own, as
+  /// if they were of its vertices.
+  Domain coded_domain() const {
+    return structure.any && attribute.domain == Domain::corner ? Domain::vertex : attribute.domain;
+  }
 
   bool in_planes() const { return coder == Coder::words || coder == Coder::planes; }
   /// Residuals can be read before there are faces.
@@ -72,11 +92,17 @@ struct AttributeHeader {
 enum class Along : std::uint8_t { nothing, surface, twins };
 inline Along along(const AttributeHeader& header) {
   if (header.attribute.domain == Domain::corner)
-    return header.coder == Coder::named ? Along::twins : Along::nothing;
+    return header.structure.any || header.coder >= Coder::named ? Along::twins : Along::nothing;
   if (header.attribute.domain != Domain::vertex) return Along::nothing;
   if (header.in_planes())
-    return header.predictor == Predictor::parallelogram ? Along::surface : Along::nothing;
+    return header.predictor == Predictor::parallelogram || header.structure.any ? Along::surface
+                                                                                : Along::nothing;
   return header.coder == Coder::ordered ? Along::surface : Along::twins;
+}
+
+/// Whether values are predicted from the positions of vertices, which must be decoded before.
+inline bool needs_position(const AttributeHeader& header) {
+  return header.coder > Coder::named;
 }
 
 /// What a report says of it, by the header alone.
@@ -84,33 +110,38 @@ inline AttributeInfo info_of(const AttributeHeader& header) {
   const Attribute& a = header.attribute;
   AttributeInfo info{a.name, a.domain, a.scalar, a.components};
   info.coder = name(header.coder);
+  info.structure = header.structure.in_words(a.domain);
   info.error = header.error;
+  info.measure = header.measure;
   return info;
 }
 
-/// The surface that values are predicted along: where it has the corners of all values, or their
-/// vertices.
-inline CodedSurface surface_of(const Attribute& attribute, std::size_t count,
-                               const CodedSurface& surface) {
-  const bool on_surface = attribute.domain == Domain::vertex ||
-                          (attribute.domain == Domain::corner && surface.corners.size() == count);
-  return on_surface ? surface : CodedSurface{};
+/// The surface that so many values are predicted along: where it has the corners of all values, or
+/// their vertices.
+inline CodedSurface surface_of(const AttributeHeader& header, std::size_t count,
+                               const ValueSurface& along) {
+  const Domain domain = header.coded_domain();
+  const bool on_surface = domain == Domain::vertex ||
+                          (domain == Domain::corner && along.surface.corners.size() == count);
+  return on_surface ? along.surface : CodedSurface{};
 }
 
 inline void put_attribute_header(Bytes& out, const AttributeHeader& header) {
   const Attribute& a = header.attribute;
   put_u8(out, static_cast<std::uint32_t>(a.name.size()));
   put_bytes(out, std::as_bytes(std::span(a.name)));
-  put_u8(out, static_cast<std::uint32_t>(a.domain));
+  put_u8(out, static_cast<std::uint32_t>(a.domain) | header.structure.bits());
   put_u8(out, static_cast<std::uint32_t>(a.scalar));
   put_u8(out, a.components);
   put_u8(out, static_cast<std::uint32_t>(header.coder) | (header.narrow ? 0 : 0x40) |
+                  (header.measure == ErrorMeasure::angle ? 0x20 : 0) |
                   (header.error > 0 ? 0x80 : 0));
   if (header.error > 0) {
     const std::uint64_t error = std::bit_cast<std::uint64_t>(header.error);
     put_u32(out, static_cast<std::uint32_t>(error));
     put_u32(out, static_cast<std::uint32_t>(error >> 32));
   }
+  header.structure.put(out);
   if (header.in_planes()) put_u8(out, static_cast<std::uint32_t>(header.predictor));
   if (header.coder != Coder::words) put_varint(out, header.numbers_size);
 }
@@ -122,13 +153,15 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
   ByteReader in(bytes, at);
   AttributeHeader header;
   const auto name = in.take(in.u8());
-  const std::uint32_t domain = in.u8(), scalar = in.u8(), components = in.u8(), how = in.u8();
-  const bool changed = how & 0x80;
+  const std::uint32_t kind = in.u8(), domain = kind & 3, scalar = in.u8(), components = in.u8(),
+                      how = in.u8();
+  const bool changed = how & 0x80, by_angle = how & 0x20;
   if (changed) {
     const std::uint64_t low = in.u32(), high = in.u32();
     header.error = std::bit_cast<double>(low | high << 32);
   }
-  const std::uint32_t coder = how & 0x3f;
+  header.structure.read(in, kind);
+  const std::uint32_t coder = how & 0x1f;
   const std::uint32_t predictor = coder <= static_cast<std::uint32_t>(Coder::planes) ? in.u8() : 0;
   if (coder != static_cast<std::uint32_t>(Coder::words)) header.numbers_size = in.varint();
   if (header.numbers_size > in.left()) in.take(header.numbers_size);  // fails
@@ -138,19 +171,29 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
                 "an attribute with " + std::string(what) + " " + std::to_string(value));
   };
   if (domain > static_cast<std::uint32_t>(Domain::face)) return invalid("domain", domain);
+  if (std::string fault = header.structure.fault(static_cast<Domain>(domain), kind); !fault.empty())
+    return fail(ErrorCode::invalid, Place::byte, at, std::move(fault));
   if (scalar >= scalar_count) return invalid("scalar type", scalar);
   if (components == 0) return invalid("components", components);
   if (coder >= coder_count) return invalid("coder", coder);
   const bool for_positions = coder == static_cast<std::uint32_t>(Coder::sized) ||
                              coder == static_cast<std::uint32_t>(Coder::mixed);
-  if (for_positions && (components != 3 || domain != static_cast<std::uint32_t>(Domain::vertex)))
+  if (for_positions && (components != 3 || header.structure.any ||
+                        domain != static_cast<std::uint32_t>(Domain::vertex)))
     return fail(ErrorCode::invalid, Place::byte, at,
                 "a coder of positions, which must be three components of vertices");
+  if (coder == static_cast<std::uint32_t>(Coder::normals) &&
+      (components != 3 || domain == static_cast<std::uint32_t>(Domain::face)))
+    return fail(ErrorCode::invalid, Place::byte, at,
+                "a coder of normals, which must be three components of vertices or corners");
   if (changed && !(header.error > 0 && std::isfinite(header.error)))
     return fail(ErrorCode::invalid, Place::byte, at, "an attribute with an error that is none");
+  if (by_angle && (!changed || components != 3))
+    return fail(ErrorCode::invalid, Place::byte, at, "an attribute with an angle that is none");
   if (predictor > static_cast<std::uint32_t>(Predictor::parallelogram) ||
       (predictor == static_cast<std::uint32_t>(Predictor::parallelogram) &&
-       domain != static_cast<std::uint32_t>(Domain::vertex)))
+       (header.structure.any ? domain == static_cast<std::uint32_t>(Domain::face)
+                             : domain != static_cast<std::uint32_t>(Domain::vertex))))
     return invalid("predictor", predictor);
   header.attribute.name.assign(reinterpret_cast<const char*>(name.data()), name.size());
   if (const std::size_t i = first_not_utf8(header.attribute.name); i < name.size())
@@ -160,6 +203,7 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
   header.attribute.components = static_cast<std::uint8_t>(components);
   header.coder = static_cast<Coder>(coder);
   header.narrow = (how & 0x40) == 0;
+  header.measure = by_angle ? ErrorMeasure::angle : ErrorMeasure::difference;
   if (header.coder == Coder::words && !header.narrow) return invalid("coder", how);
   header.predictor = static_cast<Predictor>(predictor);
   header.bytes = in.position();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "codec/attributes/named_values.h"
+#include "codec/entropy/measure.h"
 #include "codec/entropy/stream.h"
 
 namespace clers::internal {
@@ -12,29 +13,6 @@ namespace {
 
 // Values that models are tried on.
 constexpr std::size_t sample = 12288;
-
-/// A coder that writes nothing and knows what it would take.
-class Measure {
- public:
-  static constexpr bool encodes = true;
-  bool bit(BitModel& model, bool value) {
-    decide(model.share(), value);
-    model.update(value);
-    return value;
-  }
-  bool decide(std::uint32_t share, bool value) {
-    cost_ += rans::cost({0, static_cast<std::uint16_t>(value ? share : rans::scale - share)});
-    return value;
-  }
-  std::uint32_t raw(unsigned n, std::uint32_t value) {
-    cost_ += 256 * n;
-    return value;
-  }
-  std::uint64_t cost() const { return cost_; }
-
- private:
-  std::uint64_t cost_ = 0;
-};
 
 template <class Int, class Coder>
 void code_all(Coder& coder, const NamedModel& model, std::span<const std::uint64_t> tops,

@@ -26,11 +26,16 @@ struct ValueSurface {
   CodedSurface surface;
   /// The vertex of the mesh where each value is first; empty: value i is at vertex i.
   std::span<const std::uint32_t> vertex_of = {};
+  /// The vertex of the mesh at each corner; empty: that of its value.
+  std::span<const std::uint32_t> vertex_at = {};
   /// Values by vertex of the mesh, decoded; nullptr where there are none.
   const Attribute* position = nullptr;
 
   std::uint32_t vertex(std::uint32_t value) const {
     return vertex_of.empty() ? value : vertex_of[value];
+  }
+  std::uint32_t vertex_of_corner(std::size_t corner) const {
+    return vertex_at.empty() ? vertex(surface.corners[corner]) : vertex_at[corner];
   }
 };
 

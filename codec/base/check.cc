@@ -38,6 +38,25 @@ Expected<Done> check_attribute(const AttributeView& a, std::size_t count) {
   if (stride < size)
     return refuse(attribute + "values of " + std::to_string(size) + " bytes, " +
                   std::to_string(stride) + " bytes apart");
+  if (!a.indices.empty()) {
+    if (a.domain == Domain::vertex && a.name == position_name)
+      return refuse(attribute + "indices, which positions of vertices cannot have");
+    if (a.indices.size() != count)
+      return refuse(attribute + std::to_string(a.indices.size()) + " indices, expected " +
+                    std::to_string(count));
+    if (!a.data.empty() && a.data.size() < size)
+      return refuse(attribute + std::to_string(a.data.size()) + " bytes of values of " +
+                    std::to_string(size));
+    const std::size_t values = a.value_count();
+    if (values >= no_value - 1 || !holds_values(a.data.size(), values, size, stride))
+      return refuse(attribute + std::to_string(a.data.size()) +
+                    " bytes of values, expected a multiple of " + std::to_string(stride));
+    for (const std::uint32_t i : a.indices)
+      if (i >= values && i != no_value)
+        return refuse(attribute + "an element with value " + std::to_string(i) + " of " +
+                      std::to_string(values));
+    return Done{};
+  }
   if (!holds_values(a.data.size(), count, size, stride))
     return refuse(attribute + std::to_string(a.data.size()) + " bytes of values, expected " +
                   std::to_string(count) + " times " + std::to_string(stride));

@@ -224,7 +224,11 @@ class CommandLine {
               }
               return true;
             },
-            "the same of another attribute, such as normal=q10; may be given for several")
+            "the same of another attribute, such as normal=q10; may be given for several. q<bits> "
+            "of "
+            "unit vectors, 2 to 20, is oct<bits>: directions, off by an angle, whatever their "
+            "length; "
+            "recompute<degrees>: normals that follow from positions and faces, to within an angle")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->option_text("NAME=HOW");
     threads(encode);
@@ -493,6 +497,8 @@ class CommandLine {
       if (other.name == name)
         throw CLI::ValidationError(option, fmt::format("{} is given twice", in_quotes(name)));
     options_.encode.precisions.push_back({name, *precision, {}});
+    options_.encode.precisions.back().precision.or_directions =
+        precision->kind == Precision::Kind::bits && name != position_name;
   }
 
   // ---- What is wrong

@@ -72,7 +72,7 @@ bool in_one_order(const Mesh& a, const Mesh& b, std::span<const Tolerance> toler
 std::vector<Tolerance> tolerances_of(const MeshInfo& mesh) {
   std::vector<Tolerance> tolerances;
   for (const FoundError& stated : largest_errors({&mesh, 1}))
-    tolerances.push_back({stated.attribute, stated.error, stated.domain});
+    tolerances.push_back({stated.attribute, stated.error, stated.domain, stated.measure});
   return tolerances;
 }
 
@@ -128,8 +128,9 @@ std::string exactness(std::span<const FoundError> found, std::span<const MeshInf
     out += fmt::format(", but {}", off_by(error));
     for (const FoundError& other : all)
       if (other.attribute == error.attribute && other.domain == error.domain)
-        out += other.error == error.error ? ", as stated"
-                                          : fmt::format(", {:.4g} stated", other.error);
+        out += other.error == error.error
+                   ? ", as stated"
+                   : fmt::format(", {} stated", in_words(other.error, other.measure));
   }
   return out;
 }

@@ -52,7 +52,8 @@ std::optional<Precision> parse_grid(std::string_view text) {
 }  // namespace
 
 const char precision_words[] =
-    "lossless, q1 to q30, step<size>, error<size> or grid:<origin>:<step>";
+    "lossless, q1 to q30, step<size>, error<size>, grid:<origin>:<step>, oct2 to oct20 or "
+    "recompute<degrees>";
 
 std::optional<Precision> parse_precision(std::string_view text) {
   if (text == "lossless") return Precision::lossless();
@@ -65,30 +66,48 @@ std::optional<Precision> parse_precision(std::string_view text) {
     const auto size = parsed_size(text);
     return size ? std::optional(Precision::of_error(*size)) : std::nullopt;
   }
+  if (take(text, "recompute")) {
+    const auto degrees = parsed_size(text);
+    return degrees && *degrees <= 180 ? std::optional(Precision::recomputed(*degrees))
+                                      : std::nullopt;
+  }
+  if (take(text, "oct")) {
+    const auto bits = parsed<int>(text);
+    return bits && *bits >= min_direction_bits && *bits <= max_direction_bits
+               ? std::optional(Precision::of_directions(*bits))
+               : std::nullopt;
+  }
   if (!take(text, "q")) return std::nullopt;
   const auto bits = parsed<int>(text);
   return bits && *bits >= min_bits && *bits <= max_bits ? std::optional(Precision::of_bits(*bits))
                                                         : std::nullopt;
 }
 
+std::string in_words(double error, ErrorMeasure measure) {
+  if (measure == ErrorMeasure::difference) return fmt::format("{:.4g}", error);
+  return fmt::format("{:.4g} degrees", error);
+}
+
 std::vector<FoundError> largest_errors(std::span<const MeshInfo> meshes) {
   std::vector<FoundError> sum;
   for (const MeshInfo& mesh : meshes)
     for (const AttributeInfo& a : mesh.attributes)
-      if (a.error > 0) add(sum, {a.name, a.domain, a.error});
+      if (a.error > 0) add(sum, {a.name, a.domain, a.error, a.measure});
   return sum;
 }
 
 void add(std::vector<FoundError>& sum, const FoundError& found) {
   const auto same = std::find_if(sum.begin(), sum.end(), [&](const FoundError& other) {
-    return other.attribute == found.attribute && other.domain == found.domain;
+    return other.attribute == found.attribute && other.domain == found.domain &&
+           other.measure == found.measure;
   });
   if (same == sum.end()) return sum.push_back(found);
   same->error = std::max(same->error, found.error);
 }
 
 std::string off_by(const FoundError& found) {
-  return fmt::format("'{}' is off by {:.4g} at most", found.attribute, found.error);
+  return fmt::format("'{}' is off by {} at most", found.attribute,
+                     in_words(found.error, found.measure));
 }
 
 }  // namespace clers::cli

@@ -20,6 +20,9 @@ extern const char precision_words[];
 /// "lossless", "q14", "step0.01", "error0.001", "grid:0,0,0:0.01".
 std::optional<Precision> parse_precision(std::string_view text);
 
+/// "0.000499", "0.0621 degrees".
+std::string in_words(double error, ErrorMeasure measure);
+
 /// The attributes that came back changed, and by how much in any of the meshes.
 std::vector<FoundError> largest_errors(std::span<const MeshInfo> meshes);
 

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "codec/cli/precision.h"
 #include "codec/cli/printable.h"
 
 namespace clers::cli {
@@ -181,7 +182,7 @@ void put(std::string& out, std::span<const AttributeInfo> attributes) {
         a.components == 1 ? name(a.scalar) : fmt::format("{} {}", a.components, name(a.scalar)),
         a.coder);
     if (!a.numbers.empty()) out += ", " + printable(a.numbers);
-    out += a.error > 0 ? fmt::format(", off by {:.4g} at most\n", a.error) : "\n";
+    out += a.error > 0 ? fmt::format(", off by {} at most\n", in_words(a.error, a.measure)) : "\n";
   }
 }
 
@@ -236,7 +237,8 @@ std::string info_json(const std::string& file, const Inspection& found) {
                                    {"bytes", a.bytes},
                                    {"numbers", a.numbers},
                                    {"coder", a.coder},
-                                   {"error", a.error}});
+                                   {"error", a.error},
+                                   {"error_is", name(a.measure)}});
     one["metadata"] = Json::array();
     for (const MetadataEntry& entry : mesh.metadata)
       one["metadata"].push_back({{"key", entry.key}, {"value", entry.value}});

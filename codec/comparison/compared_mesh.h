@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "codec/base/difference.h"
+#include "codec/base/direction.h"
 #include "codec/base/faces.h"
 #include "codec/comparison/colours.h"
 #include "codec/comparison/near_values.h"
@@ -35,11 +36,16 @@ struct ComparedMesh {
   std::array<std::pair<std::size_t, std::size_t>, 3> of_domain = {};
   /// Of each attribute, the largest difference that is none; not set: bits are compared.
   std::vector<std::optional<double>> tolerance;
+  /// Of each attribute, whether both meshes say by index which elements share a value: then it must
+  /// be the same elements. compare_sharing() finds it.
+  std::vector<bool> shared;
+  std::vector<ErrorMeasure> measure;  ///< what differences of each are
   std::vector<Colour> colour;         ///< of each vertex: its values, until it is refined
   std::vector<Colour> corner_values;  ///< of each corner; empty: has none
   std::vector<Colour> face_values;    ///< of each face; empty: has none
 
   std::uint32_t vertices() const { return static_cast<std::uint32_t>(colour.size()); }
+  bool shares() const { return std::find(shared.begin(), shared.end(), true) != shared.end(); }
   bool is_exact() const {
     return std::none_of(tolerance.begin(), tolerance.end(), [](const auto& t) { return t; });
   }
@@ -54,7 +60,9 @@ struct ComparedMesh {
   int compare_corners(std::uint32_t i, std::uint32_t j) const {
     const auto [begin, end] = of_domain[static_cast<std::size_t>(Domain::corner)];
     for (std::size_t k = begin; k < end; ++k) {
-      if (tolerance[k]) continue;
+      const bool has_i = has(k, i), has_j = has(k, j);
+      if (has_i != has_j) return has_i ? 1 : -1;
+      if (tolerance[k] || !has_i) continue;
       const int order = std::memcmp(value(k, i), value(k, j), attributes[k]->stride());
       if (order != 0) return order;
     }
@@ -65,22 +73,33 @@ struct ComparedMesh {
   /// the same attributes.
   bool agree(Domain domain, std::uint32_t i, const ComparedMesh& other, std::uint32_t j) const {
     const auto [begin, end] = of_domain[static_cast<std::size_t>(domain)];
-    for (std::size_t k = begin; k < end; ++k)
+    for (std::size_t k = begin; k < end; ++k) {
+      if (has(k, i) != other.has(k, j)) return false;
+      if (!has(k, i)) continue;
       if (tolerance[k] ? difference_of(k, i, other, j) > *tolerance[k]
                        : std::memcmp(value(k, i), other.value(k, j), attributes[k]->stride()) != 0)
         return false;
+    }
     return true;
   }
-  /// The largest difference of a component of attribute k.
+  /// Whether element i has a value of attribute k.
+  bool has(std::size_t k, std::uint32_t i) const {
+    return attributes[k]->indices.empty() || attributes[k]->indices[i] != no_value;
+  }
+  /// The largest difference of a component of attribute k, or the angle. Precondition: both have a
+  /// value.
   double difference_of(std::size_t k, std::uint32_t i, const ComparedMesh& other,
                        std::uint32_t j) const {
+    if (measure[k] == ErrorMeasure::angle)
+      return angle_between(attributes[k]->scalar, value(k, i), other.value(k, j));
     return difference(attributes[k]->scalar, value(k, i), other.value(k, j),
                       attributes[k]->components);
   }
 
  private:
   const std::byte* value(std::size_t k, std::uint32_t i) const {
-    return attributes[k]->data.data() + i * attributes[k]->stride();
+    const Attribute& a = *attributes[k];
+    return a.data.data() + (a.indices.empty() ? i : a.indices[i]) * a.stride();
   }
 };
 
@@ -89,6 +108,10 @@ std::optional<Error> why_not_comparable(const Mesh& mesh);
 
 /// The first attribute that only one of them has.
 std::optional<std::string> attributes_differ(const ComparedMesh& a, const ComparedMesh& b);
+
+/// Finds in which attributes it matters what elements share. Returns what differs in the values
+/// that no element has. Precondition: they have the same attributes. Cost: n log n.
+std::optional<std::string> compare_sharing(ComparedMesh& a, ComparedMesh& b);
 
 /// Colours all elements of both by their values: values that agree get the same colour.
 /// Precondition: they have the same attributes.

@@ -11,24 +11,44 @@ namespace {
 
 using Index = std::uint32_t;
 
-/// Asks whether values agree, and keeps the largest differences of those that do.
+/// Asks whether values agree, and are shared by the same elements; keeps the largest differences of
+/// those that do.
 class Agreement {
  public:
   Agreement(const ComparedMesh& a, const ComparedMesh& b, std::vector<double>& errors)
-      : a_(a), b_(b), errors_(errors) {
+      : a_(a), b_(b), errors_(errors), image_(a.attributes.size()), origin_(image_.size()) {
     errors_.assign(a.attributes.size(), 0);
+    for (std::size_t k = 0; k < image_.size(); ++k) {
+      if (!a.shared[k]) continue;
+      image_[k].assign(a.attributes[k]->value_count(), no_value);
+      origin_[k].assign(b.attributes[k]->value_count(), no_value);
+    }
   }
   bool operator()(Domain domain, Index i, Index j) {
     if (!a_.agree(domain, i, b_, j)) return false;
     const auto [begin, end] = a_.of_domain[static_cast<std::size_t>(domain)];
-    for (std::size_t k = begin; k < end; ++k)
+    for (std::size_t k = begin; k < end; ++k) {
+      if (!a_.has(k, i)) continue;
       if (a_.tolerance[k]) errors_[k] = std::max(errors_[k], a_.difference_of(k, i, b_, j));
+      if (a_.shared[k] && !pair(k, a_.attributes[k]->indices[i], b_.attributes[k]->indices[j]))
+        return false;
+    }
     return true;
   }
 
  private:
+  /// Value v of one is value w of the other, and no other is.
+  bool pair(std::size_t k, Index v, Index w) {
+    if (image_[k][v] == no_value && origin_[k][w] == no_value) {
+      image_[k][v] = w;
+      origin_[k][w] = v;
+    }
+    return image_[k][v] == w && origin_[k][w] == v;
+  }
+
   const ComparedMesh &a_, &b_;
   std::vector<double>& errors_;
+  std::vector<std::vector<Index>> image_, origin_;  ///< of values that are shared
 };
 
 /// Whether a list has each number below its size once.
@@ -82,7 +102,8 @@ std::optional<Mismatch> renumbering_fails(const ComparedMesh& a, const ComparedM
       return Mismatch{"the renumbering is no bijection"};
     hit[image[v]] = true;
     if (!agree(Domain::vertex, v, image[v]))
-      return Mismatch{"vertex " + std::to_string(v) + " of the first mesh has other values"};
+      return Mismatch{"vertex " + std::to_string(v) + " of the first mesh has other values",
+                      !a.shares()};
   }
   std::vector<Index> start_a, start_b;
   const Classes faces_a = cycles(
@@ -118,7 +139,7 @@ std::optional<Mismatch> renumbering_fails(const ComparedMesh& a, const ComparedM
     if (!equal(faces_a[i].second, faces_b[i].second))
       return Mismatch{
           "face " + std::to_string(faces_a[i].second) + " of the first mesh has other values",
-          a.is_exact() || !has_choice(i)};
+          (a.is_exact() && !a.shares()) || !has_choice(i)};
   return std::nullopt;
 }
 

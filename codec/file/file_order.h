@@ -251,14 +251,23 @@ inline Expected<Done> restore_order(const Stream& stream, Mesh& mesh) {
   const Permutation order{inverse(std::exchange(file.vertices, {})), std::move(file.faces),
                           std::move(file.first_corners)};
   PermutedFaces restored = permuted(faces, order);
-  for (Attribute& a : mesh.attributes) a.data = permuted_values(a, faces, order);
+  for (Attribute& a : mesh.attributes) {
+    if (a.indices.empty()) {
+      a.data = permuted_elements(a.data.data(), a.stride(), a.stride(), a.domain, faces, order);
+    } else {
+      const auto indices = std::as_writable_bytes(std::span(a.indices));
+      const auto moved = permuted_elements(indices.data(), sizeof(std::uint32_t),
+                                           sizeof(std::uint32_t), a.domain, faces, order);
+      std::copy(moved.begin(), moved.end(), indices.begin());
+    }
+  }
   mesh.corners = std::move(restored.corners);
   mesh.face_sizes = std::move(restored.sizes);
   return ok;
 }
 
-/// Bytes that restore_order takes besides the mesh; `sizes`: has it any? `values`: the most that an
-/// attribute of it takes.
+/// Bytes that restore_order takes besides the mesh; `sizes`: has it any? `values`: the most that
+/// the elements of an attribute of it take.
 inline std::uint64_t restoring_memory(std::uint64_t corners, std::uint64_t faces,
                                       std::uint64_t vertices, bool sizes, std::uint64_t values) {
   constexpr std::uint64_t each = sizeof(std::uint32_t);

@@ -7,9 +7,13 @@
 #include <functional>
 #include <utility>
 
+#include "codec/attributes/coded_faces.h"
+#include "codec/attributes/structure.h"
+#include "codec/attributes/structure_decoder.h"
 #include "codec/base/budget.h"
 #include "codec/base/parallel.h"
 #include "codec/file/file_order.h"
+#include "codec/soup/corner_map.h"
 
 namespace clers::internal {
 namespace {
@@ -152,8 +156,11 @@ std::uint64_t isolated_memory(const PieceSections& s) {
   return each * (s.vertices - s.surface_vertices);
 }
 
-std::uint64_t attribute_memory(const Attribute& what, std::uint64_t count) {
-  return sizeof(Attribute) + what.name.size() + count * what.stride();
+/// What a decoded attribute takes, for so many elements.
+std::uint64_t attribute_memory(const AttributeHeader& header, std::uint64_t count) {
+  const Attribute& what = header.attribute;
+  return sizeof(Attribute) + what.name.size() + header.result_values(count) * what.stride() +
+         (header.structure.indexed ? each * count : 0);
 }
 
 SurfaceSize surface_size(const PieceSections& s) {
@@ -161,15 +168,42 @@ SurfaceSize surface_size(const PieceSections& s) {
   return {s.connectivity.vertices, s.connectivity.faces};
 }
 
+std::uint64_t half_edges(const PieceSections& s) {
+  return s.features == feature::raw ? 3 * s.corners : 3 * s.connectivity.faces;
+}
+
 /// What an attribute takes from when it is read until its values are there, and at most besides.
 struct ValuesMemory {
   std::uint64_t held, step;
 };
-ValuesMemory memory_of(const PieceSections::AttributeSection& a, SurfaceSize surface) {
-  const AttributeMemory memory = decoding_memory(a.bytes, a.header, a.count, surface);
-  const std::uint64_t result = attribute_memory(a.header.attribute, a.count);
-  return {std::max(memory.begun, result) + sizeof(Expected<BegunAttribute>),
-          std::max(memory.beginning, result + memory.finishing)};
+ValuesMemory memory_of(const PieceSections& s, const PieceSections::AttributeSection& a) {
+  const StructureHeader& structure = a.header.structure;
+  const std::uint64_t values = a.values(),
+                      sides = a.header.attribute.domain == Domain::face ? 0 : half_edges(s);
+  SurfaceSize surface = surface_size(s);
+  if (structure.any) surface.vertices = values;
+  const AttributeMemory memory = decoding_memory(a.bytes, a.header, values, surface);
+  const std::uint64_t result = attribute_memory(a.header, a.count);
+  const std::uint64_t sharing =
+      structure_memory(structure, a.header.attribute.domain, a.count, s.vertices, sides);
+  const std::uint64_t found = each * a.count + sides / 8 + 8;
+  if (!a.decoded) return {found, sharing};
+  ValuesMemory out{std::max(memory.begun, result) + sizeof(Expected<BegunAttribute>),
+                   std::max(memory.beginning, result + memory.finishing)};
+  if (!structure.any) return out;
+  const std::uint64_t coded = values * a.header.attribute.stride();
+  out.held += found;
+  out.step = std::max({out.step + coded + value_surface_memory(sides, true, values),
+                       result + coded + spreading_memory(structure), sharing});
+  return out;
+}
+
+/// What the faces take once more, as values of corners are coded along them.
+std::uint64_t coded_faces_memory(const PieceSections& s) {
+  for (const PieceSections::AttributeSection& a : s.attributes)
+    if (a.header.structure.any && a.header.attribute.domain == Domain::corner)
+      return s.features & (feature::polygons | feature::raw) ? each * half_edges(s) : 0;
+  return 0;
 }
 
 }  // namespace
@@ -207,7 +241,10 @@ PieceMemory memory_of(const PieceSections& s, Values values) {
   memory.values = memory.result + runs + (raw || polygons ? triangles : 0);
   if (values == Values::decode) {
     const Along along = decoded_along(s, values);
-    std::uint64_t held = sizeof(Expected<BegunAttribute>) * s.attributes.size();
+    std::uint64_t held = (sizeof(Expected<BegunAttribute>) + sizeof(ValueStructure) +
+                          sizeof(std::size_t) + sizeof(Expected<Done>)) *
+                             s.attributes.size() +
+                         coded_faces_memory(s);
     if (along != Along::nothing)
       held += each * (raw ? s.corners > 0 ? s.vertices : 0 : s.connectivity.vertices);
     if (along == Along::twins) {
@@ -220,8 +257,8 @@ PieceMemory memory_of(const PieceSections& s, Values values) {
     memory.values += held;
     std::uint64_t most = 0;
     for (const PieceSections::AttributeSection& a : s.attributes) {
-      const ValuesMemory values_memory = memory_of(a, surface_size(s));
-      memory.result += attribute_memory(a.header.attribute, a.count);
+      const ValuesMemory values_memory = memory_of(s, a);
+      if (a.wanted) memory.result += attribute_memory(a.header, a.count);
       memory.values += values_memory.held;
       most = std::max(most, values_memory.step);
     }
@@ -244,7 +281,7 @@ unsigned workers_of(const PieceSections& sections, const PieceMemory& memory, un
   steps.reserve(attributes);
   std::uint64_t read = 0;
   for (const PieceSections::AttributeSection& a : sections.attributes) {
-    const ValuesMemory of_values = memory_of(a, surface_size(sections));
+    const ValuesMemory of_values = memory_of(sections, a);
     steps.push_back(of_values.step);
     read += of_values.held;
   }
@@ -281,7 +318,8 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
       in_vain = !decoded.ok();
     } else if (!in_vain) {
       const PieceSections::AttributeSection& a = sections.attributes[i - 1];
-      begun[i - 1] = begin_attribute(a.bytes, a.at, a.header, a.count);
+      if (!a.decoded) begun[i - 1] = BegunAttribute();
+      if (a.decoded) begun[i - 1] = begin_attribute(a.bytes, a.at, a.header, a.values());
     }
   });
   if (!decoded) return Failure{decoded.error()};
@@ -290,21 +328,85 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
 
   const CodedSurface surface = decoded->surface();  // survives the move
   DecodedPiece result{std::move(decoded->mesh), decoded->counts, 0};
-  result.mesh.attributes.resize(attributes);
-  std::vector<Expected<Done>> finished(attributes, Done{});
-  for_each_item(attributes, workers, [&](std::size_t i, unsigned) {
+  Mesh& mesh = result.mesh;
+  mesh.attributes.resize(attributes);
+
+  // Which elements have which values; each may need to know it of the one before.
+  std::vector<std::uint32_t> corner_of;
+  if (attributes > 0 && coded_faces_memory(sections) > 0) {
+    if (sections.features != feature::raw)
+      corner_of = corners_of_polygons(mesh.face_sizes, surface.corners.size());
+    else if (!mesh.triangles_only())
+      corner_of = corners_of_fans(mesh.face_sizes, surface.corners.size());
+  }
+  const CodedFaces faces{surface, corner_of, mesh.corners, mesh.face_sizes, mesh.vertex_count};
+  std::vector<ValueStructure> structures(attributes);
+  const Seams* beside = nullptr;
+  for (std::size_t i = 0; i < attributes; ++i) {
     const PieceSections::AttributeSection& a = sections.attributes[i];
+    if (!a.header.structure.any) continue;
+    const Domain domain = a.header.attribute.domain;
+    auto structure = decode_structure(a.header.structure, faces, domain, beside);
+    if (!structure) return Failure{structure.error()};
+    structures[i] = std::move(*structure);
+    if (domain == Domain::corner) beside = &structures[i].seams;
+  }
+
+  // Positions first: others may be predicted from them.
+  const Attribute* position = nullptr;
+  const auto finish = [&](std::size_t i) -> Expected<Done> {
+    const PieceSections::AttributeSection& a = sections.attributes[i];
+    ValueStructure structure = std::move(structures[i]);
+    ValueArrays arrays;
+    if (a.header.structure.any)
+      arrays = make_value_surface(faces, a.header.attribute.domain, structure,
+                                  static_cast<std::size_t>(a.values()));
+    const ValueSurface values_along =
+        a.header.structure.any ? arrays.view(position) : ValueSurface{surface, {}, {}, position};
     auto attribute =
-        finish_attribute(a.bytes, a.at, a.header, a.count, std::move(*begun[i]), surface);
-    if (attribute)
-      result.mesh.attributes[i] = std::move(*attribute);
-    else
-      finished[i] = Failure{attribute.error()};
-  });
+        finish_attribute(a.bytes, a.at, a.header, a.values(), std::move(*begun[i]), values_along);
+    if (!attribute) return Failure{attribute.error()};
+    arrays = {};
+    if (a.header.structure.any)
+      if (auto ok =
+              spread_values(a.header.structure, a.at, std::move(structure.value_of), *attribute);
+          !ok)
+        return ok;
+    mesh.attributes[i] = std::move(*attribute);
+    return Done{};
+  };
+  std::vector<std::size_t> others;
+  others.reserve(attributes);
+  for (std::size_t i = 0; i < attributes; ++i) {
+    const Attribute& a = sections.attributes[i].header.attribute;
+    if (!sections.attributes[i].decoded) continue;
+    if (position == nullptr && a.domain == Domain::vertex && a.name == position_name &&
+        !sections.attributes[i].header.structure.any) {
+      if (auto ok = finish(i); !ok) return Failure{ok.error()};
+      position = &mesh.attributes[i];
+    } else {
+      others.push_back(i);
+    }
+  }
+  std::vector<Expected<Done>> finished(others.size(), Done{});
+  for_each_item(others.size(), workers,
+                [&](std::size_t i, unsigned) { finished[i] = finish(others[i]); });
   for (const auto& ok : finished)
     if (!ok) return Failure{ok.error()};
+  std::size_t wanted = 0;
+  for (std::size_t i = 0; i < attributes; ++i)
+    if (sections.attributes[i].wanted && wanted++ < i)
+      mesh.attributes[wanted - 1] = std::move(mesh.attributes[i]);
+  mesh.attributes.resize(wanted);
   // Not before: values are predicted along faces that all run one way.
-  reverse_runs(result.mesh.corners, result.mesh.face_sizes, decoded->reversed);
+  for (Attribute& a : mesh.attributes) {
+    if (a.domain != Domain::corner) continue;
+    if (a.indices.empty())
+      reverse_runs(a.data, a.stride(), mesh.face_sizes, decoded->reversed);
+    else
+      reverse_runs(a.indices, mesh.face_sizes, decoded->reversed);
+  }
+  reverse_runs(mesh.corners, mesh.face_sizes, decoded->reversed);
   result.reversed_faces = count_reversed(decoded->reversed);
   return result;
 }
@@ -323,7 +425,7 @@ std::uint64_t room_memory(const MeshSections& sections, Values values) {
   for (const PieceSections& piece : sections.pieces) memory += isolated_memory(piece);
   if (values == Values::skip) return memory;
   for (const PieceSections::AttributeSection& a : sections.pieces[0].attributes)
-    memory += attribute_memory(a.header.attribute, sections.count(a.header.attribute.domain));
+    if (a.wanted) memory += attribute_memory(a.header, sections.count(a.header.attribute.domain));
   return memory;
 }
 
@@ -335,6 +437,7 @@ Mesh make_room(const MeshSections& sections, Values values) {
   if (values == Values::skip) return mesh;
   mesh.attributes.reserve(sections.pieces[0].attributes.size());
   for (const PieceSections::AttributeSection& a : sections.pieces[0].attributes) {
+    if (!a.wanted) continue;
     Attribute attribute = a.header.attribute;
     const std::uint64_t count = sections.count(attribute.domain);
     attribute.data.resize(static_cast<std::size_t>(count) * attribute.stride());
@@ -344,13 +447,18 @@ Mesh make_room(const MeshSections& sections, Values values) {
 }
 
 std::uint64_t finishing_memory(const MeshSections& s, Values values) {
-  if (!s.has_order) return 0;
-  std::uint64_t most = 0;
+  std::uint64_t most = 0, numbering = 0;
   if (values == Values::decode)
-    for (const PieceSections::AttributeSection& a : s.pieces[0].attributes)
-      most =
-          std::max(most, attribute_memory(a.header.attribute, s.count(a.header.attribute.domain)));
-  return restoring_memory(s.corners, s.faces, s.vertices, s.may_have_sizes(), most);
+    for (const PieceSections::AttributeSection& a : s.pieces[0].attributes) {
+      const Attribute& what = a.header.attribute;
+      const std::uint64_t size = a.header.structure.indexed ? each : what.stride();
+      most = std::max(most, s.count(what.domain) * size);
+      if (a.header.structure.indexed)
+        numbering = std::max(numbering, numbering_by_use_memory(a.header.structure, what.stride()));
+    }
+  if (!s.has_order) return numbering;
+  return std::max(numbering,
+                  restoring_memory(s.corners, s.faces, s.vertices, s.may_have_sizes(), most));
 }
 
 Expected<Done> finish_mesh(const MeshSections& sections, Mesh& mesh) {
@@ -361,8 +469,17 @@ Expected<Done> finish_mesh(const MeshSections& sections, Mesh& mesh) {
     mesh.metadata = std::move(*metadata);
   }
   if (sections.pieces.size() > 1) drop_sizes_of_triangles(mesh);
-  if (!sections.has_order) return Done{};
-  return restore_order(sections.order, mesh);
+  if (sections.has_order)
+    if (auto ok = restore_order(sections.order, mesh); !ok) return ok;
+  auto attribute = mesh.attributes.begin();
+  for (const PieceSections::AttributeSection& a : sections.pieces[0].attributes) {
+    if (attribute == mesh.attributes.end()) break;  // only faces were decoded
+    if (!a.wanted) continue;
+    if (a.header.structure.indexed)
+      if (auto ok = number_values_by_use(a.header.structure, *attribute); !ok) return ok;
+    ++attribute;
+  }
+  return Done{};
 }
 
 }  // namespace clers::internal

@@ -13,6 +13,7 @@
 #include "codec/file/file_order.h"
 #include "codec/file/mesh_features.h"
 #include "codec/file/metadata.h"
+#include "codec/soup/corner_map.h"
 #include "codec/soup/defects.h"
 #include "codec/soup/degenerate_faces.h"
 #include "codec/soup/folded_faces.h"
@@ -57,6 +58,7 @@ class MeshEncoder {
       if (keep || !coded->copies.empty()) raw = raw_if_smaller(payload.size() + kept_order.size());
     }
     describe(*coded);
+    raw_ = raw.has_value();
     if (raw) {
       payload = std::move(*raw);
       kept_order.clear();
@@ -65,6 +67,8 @@ class MeshEncoder {
       surface.introduced_by.resize(mesh_.vertex_count);
       find_introducing(surface.corners, surface.introduced_by);
       order() = identity(mesh_);
+      coded->reversed_runs.clear();
+      coded->polygons = {};
       result.counts = {};
       info().copied_vertices = info().repeated_faces = info().degenerate_faces = 0;
       info().polygon_bytes = info().stitching_bytes = 0;
@@ -78,7 +82,10 @@ class MeshEncoder {
       put(SectionKind::name, Bytes(name.begin(), name.end()));
     }
     if (!kept_order.empty()) put(SectionKind::order, std::move(kept_order));
-    if (auto ok = attributes(surface.view(), threads, progress); !ok) return ok;
+    if (auto ok = attributes(surface.view(), coded->reversed_runs, !coded->polygons.empty(),
+                             threads, progress);
+        !ok)
+      return ok;
     if (keep) order() = identity(mesh_);
     return Done{};
   }
@@ -88,7 +95,8 @@ class MeshEncoder {
  private:
   Wanted wanted() const {
     for (const AttributeView a : mesh_.attributes)
-      if (a.domain != Domain::face && options_.level >= first_level_with_twins)
+      if (a.domain == Domain::corner ||
+          (a.domain == Domain::vertex && options_.level >= first_level_with_twins))
         return Wanted::surface_with_twins;
     return mesh_.attributes.empty() && regular_.degenerate().empty() ? Wanted::nothing
                                                                      : Wanted::surface;
@@ -186,19 +194,87 @@ class MeshEncoder {
     return plans_.empty() ? AttributePlan{} : plans_[attribute];
   }
 
+  /// The faces as values are coded along them.
+  struct Faces {
+    PermutedFaces faces;
+    std::vector<std::uint32_t> corner_of;
+    CodedFaces view;
+  };
+  Faces coded_faces(const CodedSurface& surface, std::span<const ReversedRun> reversed,
+                    bool polygons) {
+    Faces out;
+    out.view.surface = surface;
+    out.view.vertices = mesh_.vertex_count;
+    out.faces = permuted(all_, order());
+    reverse_runs(out.faces.corners, out.faces.sizes, reversed);
+    if (polygons)
+      out.corner_of = corners_of_polygons(out.faces.sizes, surface.corners.size());
+    else if (raw_ && !out.faces.sizes.empty())
+      out.corner_of = corners_of_fans(out.faces.sizes, surface.corners.size());
+    out.view.corner_of = out.corner_of;
+    out.view.corners = out.faces.corners;
+    out.view.sizes = out.faces.sizes;
+    return out;
+  }
+
   template <class Progress>
-  Expected<Done> attributes(const CodedSurface& surface, unsigned threads,
-                            const Progress& progress) {
+  Expected<Done> attributes(const CodedSurface& surface, std::span<const ReversedRun> reversed,
+                            bool polygons, unsigned threads, const Progress& progress) {
     const std::size_t count = mesh_.attributes.size();
+    const auto has_structure = [](const AttributeView& a) {
+      return a.domain == Domain::corner || !a.indices.empty();
+    };
+    const auto permute = [&](const AttributeView& a, const Faces& faces) {
+      Attribute moved = permuted(a, all_, order());
+      if (a.domain != Domain::corner) return moved;
+      if (a.indices.empty())
+        reverse_runs(moved.data, a.value_size(), faces.faces.sizes, reversed);
+      else
+        reverse_runs(moved.indices, faces.faces.sizes, reversed);
+      return moved;
+    };
+    // Which corners share values is found first: seams of one attribute are often those of others.
+    // Faces in their new order are needed by these alone.
+    Faces faces;
+    faces.view.surface = surface;
+    faces.view.vertices = mesh_.vertex_count;
+    std::vector<Attribute> permuted_ones(count);
+    std::vector<std::vector<EncodedStructure>> ways(count);
+    const Attribute* position = nullptr;
+    Seams beside;
+    for (std::size_t i = 0; i < count; ++i) {
+      const AttributeView a = mesh_.attributes[i];
+      const bool is_position =
+          position == nullptr && a.domain == Domain::vertex && a.name == position_name;
+      if (has_structure(a) && faces.view.corners.empty())
+        faces = coded_faces(surface, reversed, polygons);
+      if (!is_position && !has_structure(a)) continue;
+      permuted_ones[i] = permute(a, faces);
+      if (is_position) position = &permuted_ones[i];
+      if (is_position) continue;
+      const bool keep = options_.order == Order::keep && !a.indices.empty();
+      ways[i] = encode_structures(
+          permuted_ones[i], faces.view,
+          keep ? kept_numbering(a.indices, a.value_count()) : std::vector<std::uint32_t>(),
+          beside.empty() ? nullptr : &beside, options_.level);
+      // Where it is left open whether there are any, those after it do without.
+      if (a.domain == Domain::corner) beside = ways[i][0].structure.seams;
+    }
     std::vector<Expected<EncodedAttribute>> coded(
         count, fail(ErrorCode::internal, "an attribute is not encoded"));
     for_each_item(count, threads, [&](std::size_t i, unsigned worker) {
       const AttributeView a = mesh_.attributes[i];
       if (worker == 0)
         progress(a.name, 0.4 + 0.6 * static_cast<double>(i) / static_cast<double>(count));
-      Attribute permuted{std::string(a.name), a.domain, a.scalar, a.components, {}};
-      permuted.data = permuted_values(a, all_, result.order);
-      coded[i] = encode_attribute(permuted, surface, options_.level, plan(i));
+      if (ways[i].empty()) {
+        const Attribute own = &permuted_ones[i] == position ? Attribute() : permute(a, faces);
+        const Attribute& values = &permuted_ones[i] == position ? *position : own;
+        coded[i] =
+            encode_attribute(values, {}, {surface, {}, {}, position}, options_.level, plan(i));
+      } else {
+        coded[i] = encode_attribute(permuted_ones[i], std::move(ways[i]), faces.view, position,
+                                    options_.level, plan(i));
+      }
     });
     AttributeSums sums(info());
     for (std::size_t i = 0; i < count; ++i) {
@@ -216,6 +292,7 @@ class MeshEncoder {
   const Cycles all_;
   const RegularFaces regular_;
   std::uint32_t surface_vertices_ = 0;
+  bool raw_ = false;  ///< faces are coded one by one
   EncodedStream folded_stream_, degenerate_stream_;
 };
 

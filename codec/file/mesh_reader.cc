@@ -106,7 +106,7 @@ Expected<PieceSections::AttributeSection> read_attribute(const Section& section,
     case Domain::corner: result.count = mesh.corners; break;
     case Domain::face: result.count = mesh.faces; break;
   }
-  if (auto ok = check_values(result.bytes, result.at, result.header, result.count); !ok)
+  if (auto ok = check_values(result.bytes, result.at, result.header, result.values()); !ok)
     return Failure{ok.error()};
   return result;
 }
@@ -271,6 +271,12 @@ class MeshesReader {
     };
     if (!same_attributes(mesh.pieces.front(), piece))
       return refuse("this piece does not have the attributes of the first one");
+    const auto by_index = [](const PieceSections::AttributeSection& a) {
+      return a.header.structure.indexed;
+    };
+    if (mesh.pieces.size() > 1 &&
+        std::any_of(piece.attributes.begin(), piece.attributes.end(), by_index))
+      return refuse("values by index in a mesh in pieces");
     mesh.vertices += piece.vertices - piece.seam.shared;
     mesh.faces += piece.faces;
     mesh.corners += piece.corners;
@@ -342,6 +348,32 @@ std::uint64_t meshes_memory(const ContainerReader::Tally& tally) {
 }
 
 }  // namespace
+
+void PieceSections::keep_attributes(const std::vector<bool>& wanted) {
+  // Backwards: what an attribute needs stands before it.
+  bool seams = false, position = false;
+  std::vector<bool> kept(attributes.size());
+  for (std::size_t i = attributes.size(); i-- > 0;) {
+    AttributeSection& a = attributes[i];
+    const Attribute& what = a.header.attribute;
+    a.wanted = a.decoded = kept[i] = wanted[i];
+    position |= a.wanted && needs_position(a.header);
+    if (a.header.structure.any && what.domain == Domain::corner) {
+      kept[i] = kept[i] || seams;
+      seams = kept[i] && a.header.structure.beside;
+    }
+  }
+  const auto is_position = [](const AttributeSection& a) {
+    return a.header.attribute.domain == Domain::vertex && a.header.attribute.name == position_name;
+  };
+  const auto first = std::find_if(attributes.begin(), attributes.end(), is_position);
+  if (position && first != attributes.end())
+    first->decoded = kept[static_cast<std::size_t>(first - attributes.begin())] = true;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < attributes.size(); ++i)
+    if (kept[i]) std::swap(attributes[count++], attributes[i]);
+  attributes.resize(count);
+}
 
 Expected<FileSections> read_sections(ContainerReader& file, const Limits& limits, Budget& budget) {
   if (auto ok = file.open(); !ok) return Failure{ok.error()};

@@ -49,9 +49,15 @@ struct PieceSections : PiecePlace {
     AttributeHeader header;
     std::span<const std::byte> bytes;
     std::uint64_t at = 0;
-    std::uint64_t count = 0;
+    std::uint64_t count = 0;  ///< elements
+    bool wanted = true;       ///< false: only others need it,
+    bool decoded = true;      ///< its values too; false: only which corners share them
+
+    std::uint64_t values() const { return header.values(count); }  ///< that are coded
   };
   std::vector<AttributeSection> attributes;
+  /// Leaves those that are wanted, and what these need. Precondition: one flag for each.
+  void keep_attributes(const std::vector<bool>& wanted);
 
   std::uint64_t seam_size = 0;  ///< of the section's payload
 

@@ -35,10 +35,10 @@ Expected<MeshInfo> info_of(const MeshSections& s, bool with_metadata) {
     for (std::size_t i = 0; i < piece.attributes.size(); ++i) {
       const PieceSections::AttributeSection& a = piece.attributes[i];
       AttributeInfo what = info_of(a.header);
-      what.count = a.count;
+      what.count = a.header.result_values(a.count);
       what.bytes = a.bytes.size();
       if (&piece == s.pieces.data()) {
-        auto numbers = describe_numbers(a.bytes, a.at, a.header, a.count);
+        auto numbers = describe_numbers(a.bytes, a.at, a.header, a.values());
         if (!numbers) return Failure{numbers.error()};
         what.numbers = std::move(*numbers);
       }
@@ -77,7 +77,7 @@ std::uint64_t info_memory(const OpenFile& file) {
       // A line of text for each component, at most.
       memory += sizeof(AttributeInfo) + a.header.attribute.name.size() +
                 64 * std::uint64_t(a.header.attribute.components);
-      most = std::max(most, describing_memory(a.bytes, a.header, a.count));
+      most = std::max(most, describing_memory(a.bytes, a.header, a.values()));
     }
   }
   return memory + most + info_memory(file.scene);

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <cstring>
 #include <numeric>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 #include "codec/base/faces.h"
@@ -59,28 +61,57 @@ inline PermutedFaces permuted(const Cycles& faces, const Permutation& order) {
   return result;
 }
 
-/// The values of an attribute in the new order. `faces` are those that it has values for.
-inline std::vector<std::byte> permuted_values(const AttributeView& a, const Cycles& faces,
-                                              const Permutation& order) {
-  const std::size_t count = a.domain == Domain::vertex ? order.vertices.size()
-                            : a.domain == Domain::face ? order.faces.size()
-                                                       : faces.org.size();
-  const std::size_t size = a.value_size(), step = a.step();
+/// What elements of a domain have, in the new order: `size` bytes each, `step` apart. `faces` are
+/// those that the elements are of.
+inline std::vector<std::byte> permuted_elements(const std::byte* elements, std::size_t size,
+                                                std::size_t step, Domain domain,
+                                                const Cycles& faces, const Permutation& order) {
+  const std::size_t count = domain == Domain::vertex ? order.vertices.size()
+                            : domain == Domain::face ? order.faces.size()
+                                                     : faces.org.size();
   std::vector<std::byte> result(count * size);
-  std::byte* to = result.data();
-  const auto copy = [&](std::size_t from) {
-    std::memcpy(to, a.data.data() + from * step, size);
-    to += size;
+  // Of the usual sizes a copy is a few instructions if they are known.
+  const auto copy_all = [&](auto known_size) {
+    std::byte* to = result.data();
+    const auto copy = [&](std::size_t from) {
+      std::memcpy(to, elements + from * step, known_size);
+      to += known_size;
+    };
+    switch (domain) {
+      case Domain::vertex:
+        for (const std::uint32_t v : order.vertices) copy(v);
+        break;
+      case Domain::face:
+        for (const std::uint32_t f : order.faces) copy(f);
+        break;
+      case Domain::corner: for_each_corner(faces, order, copy); break;
+    }
   };
-  switch (a.domain) {
-    case Domain::vertex:
-      for (const std::uint32_t v : order.vertices) copy(v);
-      break;
-    case Domain::face:
-      for (const std::uint32_t f : order.faces) copy(f);
-      break;
-    case Domain::corner: for_each_corner(faces, order, copy); break;
+  switch (size) {
+    case 4: copy_all(std::integral_constant<std::size_t, 4>()); break;
+    case 8: copy_all(std::integral_constant<std::size_t, 8>()); break;
+    case 12: copy_all(std::integral_constant<std::size_t, 12>()); break;
+    default: copy_all(size);
   }
+  return result;
+}
+
+/// An attribute with its elements in the new order, packed. Values by index keep their numbers.
+inline Attribute permuted(const AttributeView& a, const Cycles& faces, const Permutation& order) {
+  Attribute result{std::string(a.name), a.domain, a.scalar, a.components, {}};
+  const std::size_t size = a.value_size(), step = a.step();
+  if (a.indices.empty()) {
+    result.data = permuted_elements(a.data.data(), size, step, a.domain, faces, order);
+    return result;
+  }
+  result.data.resize(a.value_count() * size);
+  for (std::size_t i = 0; i * size < result.data.size(); ++i)
+    std::memcpy(result.data.data() + i * size, a.value(i), size);
+  const auto indices = std::as_bytes(a.indices);
+  const std::vector<std::byte> moved = permuted_elements(
+      indices.data(), sizeof(std::uint32_t), sizeof(std::uint32_t), a.domain, faces, order);
+  result.indices.resize(a.indices.size());
+  std::memcpy(result.indices.data(), moved.data(), moved.size());
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "codec/base/parallel.h"
+#include "codec/file/recomputed_normals.h"
 #include "codec/numbers/quantise.h"
 
 namespace clers::internal {
@@ -63,10 +64,16 @@ Expected<QuantisedMesh> quantise(const MeshView& mesh, const EncodeOptions& opti
   out.mesh = mesh;
   const std::size_t count = mesh.attributes.size();
   if (options.precisions.empty() || count == 0) return out;
+  // Others may be predicted from positions.
+  const auto is_needed = [&](const AttributeView& a) {
+    return count > 1 && a.domain == Domain::vertex && a.name == position_name;
+  };
   std::vector<Expected<QuantisedValues>> quantised(count, QuantisedValues{});
   for_each_item(count, threads, [&](std::size_t i, unsigned) {
     const AttributeView a = mesh.attributes[i];
-    quantised[i] = quantise(a, options.precision_of(a.name, a.domain));
+    const Precision& precision = options.precision_of(a.name, a.domain);
+    if (precision.kind != Precision::Kind::recomputed)
+      quantised[i] = quantise(a, precision, is_needed(a));
   });
   out.values.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -80,10 +87,23 @@ Expected<QuantisedMesh> quantise(const MeshView& mesh, const EncodeOptions& opti
       out.values[i] = std::move(quantised[i]->values);
       a.data = out.values[i];
       a.stride = 0;
+      if (out.plans.back().integers_of) a.scalar = Scalar::int32;
     }
     out.attributes.push_back(a);
   }
   out.mesh.attributes = AttributeViews(out.attributes);
+  for (std::size_t i = 0; i < count; ++i) {
+    AttributeView& a = out.attributes[i];
+    const Precision& precision = options.precision_of(a.name, a.domain);
+    if (precision.kind != Precision::Kind::recomputed) continue;
+    auto recomputed = recompute_normals(out.mesh, a, precision.size);
+    if (!recomputed) return Failure{recomputed.error()};
+    out.plans[i] = std::move(recomputed->plan);
+    out.values[i] = std::move(recomputed->values);
+    if (out.plans[i].error == 0) continue;
+    a.data = out.values[i];
+    a.stride = 0;
+  }
   return out;
 }
 

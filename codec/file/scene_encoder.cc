@@ -105,7 +105,7 @@ Expected<Done> put_after_meshes(const Scene& scene, std::span<const Permutation>
     Attribute values{array.name, Domain::face, array.scalar, array.components, array.data};
     if (array.vertices_of)
       values.data = renumbered(std::move(values.data), permutations[*array.vertices_of]);
-    const auto coded = encode_attribute(values, {}, level);
+    const auto coded = encode_attribute(values, StructureHeader{}, ValueSurface{}, level);
     if (!coded) return Failure{coded.error()};
     Bytes payload;
     put_varint(payload, array.value_count());

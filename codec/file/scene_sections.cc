@@ -80,8 +80,9 @@ Expected<ArraySection> read_array(const Section& section) {
   if (!header) return Failure{header.error()};
   array.header = std::move(*header);
   const Attribute& a = array.header.attribute;
-  if (a.domain != Domain::face || array.header.error > 0)
-    return invalid(section.at, "an array that is no list of faces' values, without an error");
+  if (a.domain != Domain::face || array.header.structure.any || array.header.error > 0 ||
+      along(array.header) != Along::nothing || needs_position(array.header))
+    return invalid(section.at, "an array that is no plain list of values");
   if (array.count > most_values)
     return invalid(section.at, std::to_string(array.count) + " values are more than an array has");
   if (array.vertices_of && (a.scalar != Scalar::uint32 || a.components != 1))

@@ -76,14 +76,10 @@ Expected<Done> check_target(const MeshSections& mesh, const MeshTarget& target) 
   return Done{};
 }
 
-/// The mesh with some of its attributes only.
-MeshSections with_attributes(const MeshSections& mesh, std::span<const std::size_t> wanted) {
+/// The mesh with some of its attributes only, and what these need.
+MeshSections with_attributes(const MeshSections& mesh, const std::vector<bool>& wanted) {
   MeshSections result = mesh;
-  for (std::size_t k = 0; k < mesh.pieces.size(); ++k) {
-    auto& attributes = result.pieces[k].attributes;
-    attributes.clear();
-    for (const std::size_t i : wanted) attributes.push_back(mesh.pieces[k].attributes[i]);
-  }
+  for (PieceSections& piece : result.pieces) piece.keep_attributes(wanted);
   return result;
 }
 
@@ -168,24 +164,26 @@ Expected<bool> decode_in_place(const MeshSections& mesh, const MeshTarget& targe
   return with_twins;
 }
 
-void copy(const Mesh& mesh, const MeshTarget& target) {
+/// `attribute_of`: which attribute of the mesh each of the target takes.
+void copy(const Mesh& mesh, const MeshTarget& target, std::span<const std::size_t> attribute_of) {
   if (!target.corners.empty())
     std::copy(mesh.corners.begin(), mesh.corners.end(), target.corners.begin());
   if (!target.face_sizes.empty()) put_sizes(mesh, target.face_sizes);
   for (std::size_t i = 0; i < target.attributes.size(); ++i) {
     const AttributeTarget& a = target.attributes[i];
-    put_values(mesh.attributes[i], a.data.data(), a.step());
+    put_values(mesh.attributes[attribute_of[i]], a.data.data(), a.step());
   }
 }
 
-/// Anything, but no opposites and no 16-bit corners. The attributes of `mesh` are the target's.
+/// Anything, but no opposites and no 16-bit corners. `attribute_of` as for copy.
 Expected<Done> decode_and_copy(const MeshSections& mesh, const MeshTarget& target,
+                               std::span<const std::size_t> attribute_of,
                                const DecodeOptions& options, Budget& budget) {
   if (mesh.has_order) {
     const auto meshes = decode_meshes({&mesh, 1}, Values::decode, options, budget);
     if (!meshes) return Failure{meshes.error()};
     if (auto ok = check_triangles(meshes->front(), target); !ok) return ok;
-    copy(meshes->front(), target);
+    copy(meshes->front(), target, attribute_of);
     return Done{};
   }
   const bool alone = mesh.pieces.size() == 1;
@@ -202,8 +200,8 @@ Expected<Done> decode_and_copy(const MeshSections& mesh, const MeshTarget& targe
             decode_piece(sections, Values::decode, alone ? options.threads : 1, budget.left());
         if (!piece) return Failure{piece.error()};
         if (auto ok = check_triangles(piece->mesh, target); !ok) return ok;
-        if (!alone) return put_piece(sections, piece->mesh, target);
-        copy(piece->mesh, target);
+        if (!alone) return put_piece(sections, piece->mesh, target, attribute_of);
+        copy(piece->mesh, target, attribute_of);
         return Done{};
       });
 }
@@ -245,7 +243,14 @@ Expected<Done> decode_into(const MeshSections& mesh, const MeshTarget& target,
     std::fill(inner.face_sizes.begin(), inner.face_sizes.end(), 3u);
   } else {
     if (auto ok = budget.take(sections_memory(mesh, wanted.size())); !ok) return ok;
-    if (auto ok = decode_and_copy(with_attributes(mesh, wanted), inner, options, budget); !ok)
+    // What is asked for twice is decoded once.
+    std::vector<bool> is_wanted(mesh.pieces[0].attributes.size());
+    for (const std::size_t i : wanted) is_wanted[i] = true;
+    for (std::size_t& i : wanted)
+      i = static_cast<std::size_t>(
+          std::count(is_wanted.begin(), is_wanted.begin() + static_cast<std::ptrdiff_t>(i), true));
+    if (auto ok = decode_and_copy(with_attributes(mesh, is_wanted), inner, wanted, options, budget);
+        !ok)
       return ok;
   }
   if (!target.opposites.empty() && !matched)

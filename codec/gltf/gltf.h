@@ -12,7 +12,10 @@
 #include <vector>
 
 #include <clers/error.h>
+#include <clers/info.h>
+#include <clers/options.h>
 #include <clers/order.h>
+#include <clers/precision.h>
 #include <clers/scene.h>
 #include <clers/topology/export.h>
 
@@ -79,6 +82,19 @@ struct Written {
 /// Errors: unsupported, a scene without a glTF; malformed and inconsistent_mesh, a document or
 /// contents that do not fit each other, whatever they are; out_of_memory.
 Expected<Written> write(const Scene& scene, const WriteOptions& options = {});
+
+/// The same with each mesh as a .clers file in a bufferView, which the extension
+/// CLERS_mesh_compression names (codec/gltf/CLERS_mesh_compression.md). `scene` is one that read()
+/// made, with its orders, not yet encoded. read() reads what it makes; others refuse it, since the
+/// extension is required. Errors besides: those of encode. Buffers have no bytes that no view
+/// names.
+struct Compressed {
+  Written written;
+  std::vector<MeshInfo> report;   ///< of meshes, as Encoded has them
+  std::vector<Warning> warnings;  ///< likewise
+};
+Expected<Compressed> write_compressed(const Scene& scene, std::span<const Order> orders,
+                                      const EncodeOptions& how, const WriteOptions& options = {});
 
 }  // namespace gltf
 }  // namespace clers

@@ -6,6 +6,7 @@
 
 #include "codec/base/guarded.h"
 #include "codec/gltf/bounds.h"
+#include "codec/gltf/extension.h"
 #include "codec/gltf/glb.h"
 #include "codec/gltf/gltf.h"
 #include "codec/gltf/json.h"
@@ -29,7 +30,9 @@ class Reader {
     if (auto ok = open(bytes); !ok) return Failure{ok.error()};
     if (auto ok = check_version(); !ok) return Failure{ok.error()};
     if (auto ok = read_buffers(); !ok) return Failure{ok.error()};
-    const std::vector<bool> empty = as_set(marks_.empty, buffers_.size());
+    std::vector<bool> empty = as_set(marks_.empty, buffers_.size());
+    if (auto ok = expand(document_, buffers_, empty); !ok) return Failure{ok.error()};
+    empty.resize(buffers_.size());
     auto layout = read_layout(document_, empty);
     if (!layout) return Failure{layout.error()};
     layout_ = std::move(*layout);

@@ -8,6 +8,7 @@
 
 #include "codec/base/guarded.h"
 #include "codec/gltf/bounds.h"
+#include "codec/gltf/extension.h"
 #include "codec/gltf/glb.h"
 #include "codec/gltf/gltf.h"
 #include "codec/gltf/json.h"
@@ -15,8 +16,10 @@
 #include "codec/gltf/places.h"
 #include "codec/gltf/plan.h"
 #include "codec/gltf/rest.h"
+#include "codec/gltf/triangles.h"
 #include "codec/gltf/uri.h"
 #include "codec/gltf/values.h"
+#include "codec/gltf/write_files.h"
 
 namespace clers::gltf {
 namespace {
@@ -33,12 +36,16 @@ std::uint32_t word(const std::vector<std::byte>& data, std::size_t i) {
 
 class Builder {
  public:
-  Builder(const Scene& scene, const WriteOptions& options) : scene_(scene), options_(options) {}
+  /// `files`: of each mesh, if the extension is wanted.
+  Builder(const Scene& scene, const WriteOptions& options,
+          std::span<const std::vector<std::byte>> files)
+      : scene_(scene), options_(options), files_(files) {}
 
   Expected<Written> run() {
     if (auto ok = open(); !ok) return Failure{ok.error()};
     if (auto ok = fill(); !ok) return Failure{ok.error()};
     restore_bounds(layout_, plan_, buffers_, marks_, document_);
+    compress(layout_, plan_, files_, document_, buffers_);
     name_pictures();
     name_buffers();
     const std::string text = print(document_);
@@ -119,96 +126,39 @@ class Builder {
     return fail(ErrorCode::inconsistent_mesh, std::move(what));
   }
 
-  /// Whether an attribute is what the document says.
-  static bool fits(const Attribute& a, const MeshPlan::Slot& slot, const Run& run) {
-    return a.name == slot.name && a.domain == Domain::vertex && a.scalar == run.scalar &&
-           a.components == run.components() && a.indices.empty() &&
-           a.data.size() == packed_size(run);
-  }
-
   Expected<Done> put_mesh(const MeshPlan& plan, const Mesh& mesh) {
     const std::size_t lists = plan.list_count();
     if (mesh.vertex_count != plan.vertices)
       return other(std::to_string(mesh.vertex_count) + " vertices, expected " +
                    std::to_string(plan.vertices));
-    if (!mesh.triangles_only() || mesh.corners.size() % 3 != 0)
-      return other("faces that are no triangles");
-    if (mesh.attributes.size() != plan.attributes.size() + (lists > 1))
+    if (mesh.attributes.size() != plan.attributes.size() + (lists > 1) ||
+        (lists > 1) != (lists_of(mesh) != nullptr))
       return other(std::to_string(mesh.attributes.size()) + " attributes");
     for (std::size_t i = 0; i < plan.attributes.size(); ++i)
-      if (!fits(mesh.attributes[i], plan.attributes[i], layout_.runs[plan.attributes[i].run]))
+      if (mesh.attributes[i].name != plan.attributes[i].name ||
+          !is_values_of(mesh.attributes[i], layout_.runs[plan.attributes[i].run]))
         return other("an attribute that is not '" + plan.attributes[i].name +
                      "' as the document says");
-    std::vector<std::vector<std::uint32_t>> corners(lists);
-    if (auto ok = part(plan, mesh, corners); !ok) return ok;
-    auto numbers = numbers_of(plan, corners);
+    auto corners = part_triangles(mesh);
+    if (!corners) return Failure{corners.error()};
+    if (corners->size() > lists) return other(std::to_string(corners->size()) + " lists of faces");
+    corners->resize(lists);
+    for (std::size_t k = 0; k < plan.lists.size(); ++k)
+      if ((*corners)[k].size() != layout_.runs[plan.lists[k]].count)
+        return other(std::to_string((*corners)[k].size()) + " corners in list " +
+                     std::to_string(k) + ", expected " +
+                     std::to_string(layout_.runs[plan.lists[k]].count));
+    auto numbers = vertex_numbers(plan.vertices, *corners, plan.in_turn);
     if (!numbers) return Failure{numbers.error()};
     for (std::size_t i = 0; i < plan.attributes.size(); ++i)
       scatter(layout_.runs[plan.attributes[i].run], renumbered(mesh.attributes[i], *numbers),
               buffers_);
     for (std::size_t k = 0; k < plan.lists.size(); ++k) {
-      for (std::uint32_t& v : corners[k]) v = (*numbers)[v];
-      scatter_indices(layout_.runs[plan.lists[k]], corners[k], buffers_);
+      for (std::uint32_t& v : (*corners)[k]) v = (*numbers)[v];
+      scatter_indices(layout_.runs[plan.lists[k]], (*corners)[k], buffers_);
     }
     numbers_.push_back(std::move(*numbers));
     return Done{};
-  }
-
-  /// Corners of the triangles of each list. Errors: inconsistent_mesh.
-  Expected<Done> part(const MeshPlan& plan, const Mesh& mesh,
-                      std::vector<std::vector<std::uint32_t>>& corners) const {
-    const std::size_t lists = corners.size(), faces = mesh.face_count();
-    const Attribute* list_of = lists > 1 ? &mesh.attributes.back() : nullptr;
-    if (list_of != nullptr &&
-        (list_of->name != list_name || list_of->domain != Domain::face ||
-         list_of->scalar != Scalar::uint32 || list_of->components != 1 ||
-         !list_of->indices.empty() || list_of->data.size() != faces * sizeof(std::uint32_t)))
-      return other("no face attribute '" + std::string(list_name) + "'");
-    if (lists == 0 && faces > 0) return other("faces, expected none");
-    for (std::size_t f = 0; f < faces; ++f) {
-      const std::uint32_t list = list_of == nullptr ? 0 : word(list_of->data, f);
-      if (list >= lists) return other("a face of list " + std::to_string(list));
-      for (std::size_t c = 3 * f; c < 3 * f + 3; ++c) {
-        if (mesh.corners[c] >= mesh.vertex_count) return other("a corner without a vertex");
-        corners[list].push_back(mesh.corners[c]);
-      }
-    }
-    for (std::size_t k = 0; k < lists; ++k) {
-      const std::uint64_t expected =
-          k < plan.lists.size() ? layout_.runs[plan.lists[k]].count : plan.vertices;
-      if (corners[k].size() != expected)
-        return other(std::to_string(corners[k].size()) + " corners in list " + std::to_string(k) +
-                     ", expected " + std::to_string(expected));
-    }
-    return Done{};
-  }
-
-  /// Numbers of vertices in the glTF: their own, but where the triangles are vertices in turn.
-  static Expected<std::vector<std::uint32_t>> numbers_of(
-      const MeshPlan& plan, const std::vector<std::vector<std::uint32_t>>& corners) {
-    std::vector<std::uint32_t> numbers(plan.vertices);
-    if (!plan.in_turn) {
-      std::iota(numbers.begin(), numbers.end(), 0u);
-      return numbers;
-    }
-    constexpr std::uint32_t unknown = 0xffffffffu;
-    std::fill(numbers.begin(), numbers.end(), unknown);
-    std::uint32_t next = 0;
-    for (const std::uint32_t v : corners.back()) {
-      if (numbers[v] != unknown)
-        return other("a vertex in two triangles that have vertices of their own");
-      numbers[v] = next++;
-    }
-    return numbers;
-  }
-
-  static std::vector<std::byte> renumbered(const Attribute& a,
-                                           const std::vector<std::uint32_t>& numbers) {
-    std::vector<std::byte> data(a.data.size());
-    const std::size_t size = a.stride();
-    for (std::size_t v = 0; v < numbers.size(); ++v)
-      std::memcpy(data.data() + numbers[v] * size, a.data.data() + v * size, size);
-    return data;
   }
 
   Expected<Done> put_array(const ArrayPlan& plan, const Array& array) {
@@ -327,7 +277,7 @@ class Builder {
     Json* buffers = document_.find("buffers");
     if (buffers == nullptr) return;
     for (std::size_t i = 0; i < buffers->items.size(); ++i) {
-      if (empty_[i]) continue;
+      if (i < empty_.size() && empty_[i]) continue;
       Json& json = buffers->items[i];
       std::vector<std::byte>& bytes = buffers_[i];
       const auto behind = blobs_.find(blob_name("behind buffer", i));
@@ -362,6 +312,7 @@ class Builder {
 
   const Scene& scene_;
   const WriteOptions& options_;
+  const std::span<const std::vector<std::byte>> files_;
   Json document_;
   Marks marks_;
   std::vector<bool> empty_;
@@ -377,7 +328,12 @@ class Builder {
 }  // namespace
 
 Expected<Written> write(const Scene& scene, const WriteOptions& options) {
-  return internal::guarded("write a glTF", [&] { return Builder(scene, options).run(); });
+  return internal::guarded("write a glTF", [&] { return Builder(scene, options, {}).run(); });
+}
+
+Expected<Written> write_files(const Scene& scene, std::span<const std::vector<std::byte>> files,
+                              const WriteOptions& options) {
+  return Builder(scene, options, files).run();
 }
 
 std::optional<Form> form_of(const Scene& scene) {

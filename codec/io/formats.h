@@ -65,6 +65,17 @@ inline constexpr std::string_view obj_info_key = "obj_info";  ///< of PLY, what 
 inline constexpr std::string_view properties_key = "ply.properties";
 inline constexpr std::string_view header_key = "stl.header";
 
+/// The 16 bits of each triangle of a binary STL, where some are not 0: a face attribute.
+inline constexpr std::string_view stl_bits_name = "stl.bits";
+
+/// The attribute without sharing, value i that of element i. Its indices are left only where some
+/// elements have no value; these have zeros.
+Attribute expanded(const Attribute& attribute);
+/// How many elements have no value. Precondition: expanded.
+std::uint64_t missing(const Attribute& attribute);
+/// Notes elements without a value, for which a format has no other.
+void note_zeros(Notes& notes, const Attribute& attribute, std::uint64_t count);
+
 /// Notes the metadata that a writer has no place for: all but these.
 void note_metadata_left_out(Notes& notes, const Mesh& mesh,
                             std::initializer_list<std::string_view> written);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstring>
 #include <set>
 
 #include "codec/base/guarded.h"
@@ -52,7 +53,15 @@ Expected<Done> check(const Mesh& mesh, std::size_t number) {
     if (const std::string defect = internal::kind_defect(a); !defect.empty())
       return inconsistent("attribute " + quoted(a.name) + " has " + defect);
     const std::size_t count = counts[static_cast<unsigned>(a.domain)];
-    if (a.data.size() != count * a.stride())
+    if (!a.indices.empty() || (count == 0 && !a.data.empty())) {
+      if (a.indices.size() != count || a.data.size() % a.stride() != 0)
+        return inconsistent("expected " + label(a) + " to have " + std::to_string(count) +
+                            " indices of whole values");
+      for (const std::uint32_t i : a.indices)
+        if (i != no_value && i >= a.value_count())
+          return inconsistent("expected " + label(a) + " to have indices below " +
+                              std::to_string(a.value_count()) + ", found " + std::to_string(i));
+    } else if (a.data.size() != count * a.stride())
       return inconsistent("expected " + label(a) + " to have " +
                           std::to_string(count * a.stride()) + " bytes, found " +
                           std::to_string(a.data.size()));
@@ -61,6 +70,13 @@ Expected<Done> check(const Mesh& mesh, std::size_t number) {
                           quoted(a.name));
   }
   return Done{};
+}
+
+// What formats without indices write.
+Mesh without_sharing(const Mesh& mesh) {
+  Mesh result = mesh;
+  for (Attribute& a : result.attributes) a = expanded(a);
+  return result;
 }
 
 template <class Read>
@@ -136,6 +152,13 @@ Expected<WriteResult> write(std::span<const Mesh> meshes, Format format,
       return fail(ErrorCode::unsupported,
                   "expected text, the one encoding of this format written here");
 
+    Mesh unshared;
+    const auto shares = [](const Attribute& a) { return !a.indices.empty(); };
+    if (format != Format::obj &&
+        std::any_of(meshes[0].attributes.begin(), meshes[0].attributes.end(), shares)) {
+      unshared = without_sharing(meshes[0]);
+      meshes = std::span(&unshared, 1);
+    }
     Output out;
     Notes notes;
     Expected<Done> done = [&]() -> Expected<Done> {
@@ -182,6 +205,34 @@ void note_left_out(Notes& notes, std::uint64_t count, std::string_view one, std:
   note.text = note.what + (count == 1 ? " was" : " were") + " left out";
   if (!why.empty()) note.text.append(": ").append(why);
   notes.push_back(std::move(note));
+}
+
+Attribute expanded(const Attribute& attribute) {
+  if (attribute.indices.empty()) return attribute;
+  Attribute a{attribute.name, attribute.domain, attribute.scalar, attribute.components, {}, {}};
+  const std::size_t stride = a.stride(), count = attribute.indices.size();
+  a.data.resize(count * stride);
+  bool all = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t value = attribute.indices[i];
+    all &= value != no_value;
+    if (value != no_value)
+      std::memcpy(a.data.data() + i * stride, attribute.data.data() + value * stride, stride);
+  }
+  if (!all) a.indices = attribute.indices;
+  return a;
+}
+
+std::uint64_t missing(const Attribute& attribute) {
+  return static_cast<std::uint64_t>(
+      std::count(attribute.indices.begin(), attribute.indices.end(), no_value));
+}
+
+void note_zeros(Notes& notes, const Attribute& attribute, std::uint64_t count) {
+  if (count == 0) return;
+  const std::string what = counted(count, "missing value", "missing values");
+  notes.push_back({Note::Kind::loss, count, what,
+                   label(attribute) + ": " + what + " became zeros, as the format has no other"});
 }
 
 void note_padding(Notes& notes, std::size_t bytes) {

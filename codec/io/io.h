@@ -23,18 +23,26 @@ namespace CLERS_VISIBLE io {
 ///          triangle strips [written as faces]. Properties of vertices and faces become attributes:
 ///              x y z -> "position", nx ny nz -> "normal", red green blue [alpha] -> "color",
 ///              s t, u v or texture_u texture_v -> "texcoord", any other -> its own name.
-///          So do lists of one length; lists "texcoord" and "color" of faces, which MeshLab writes,
-///          are of the corners. Metadata keep comments, lines obj_info and what properties are
-///          called. Attributes of several components, and names that a header cannot hold, are kept
-///          in comments that begin "clers", so that all but 64-bit integers reads back as it was.
-///     obj  Faces of any size. v -> "position", and "color" if each vertex has one: bytes if all
-///          are 255ths. vt and vn -> "texcoord" and "normal" by corner if each face has them. The
-///          only o names the mesh. Several meshes are written as objects, which read back as one.
+///          So do lists of one length; of lists that differ in length, number i of each becomes
+///          attribute "NAME.i", which shorter ones have no value of. Lists "texcoord" and "color"
+///          of faces, which MeshLab writes, are of the corners; those of a face may be empty.
+///          Metadata keep comments, lines obj_info and what properties are called. Attributes of
+///          several components, and names that a header cannot hold, are kept in comments that
+///          begin "clers", so that all but 64-bit integers reads back as it was.
+///     obj  Faces of any size. v -> "position", and "color": bytes if all are 255ths. vt and vn ->
+///          "texcoord" and "normal" by corner; values are shared, or missing, as faces index them.
+///          o, g, usemtl and s -> face attributes "object", "group", "material", "smoothing":
+///          numbers of the names that metadata list ("obj.objects", "obj.groups", "obj.materials",
+///          "obj.smoothing", a name a line). A single o names the mesh instead. Metadata keep
+///          mtllib ("obj.mtllib"). Written faces are put together by these statements. Several
+///          meshes are written as objects, which read back as one.
 ///     off  text in three dimensions, in the variants of Geomview and MeshLab. Faces of any size;
-///          "position", "normal", "color" and "texcoord" of vertices, "color" of faces if each has
-///          one, or "color_index".
+///          "position", "normal", "color" and "texcoord" of vertices, "color" of faces, or
+///          "color_index". Some vertices or faces may have no colour.
 ///     stl  text and binary. Triangles [polygons as fans], by positions alone, which are written as
-///          float32, and normals, which come from the corners. Metadata keep a binary's header.
+///          float32, and normals, which come from the corners. Of a binary file metadata keep the
+///          header, and face attribute "stl.bits" what stands behind each triangle, such as its
+///          colour, if that is not 0.
 ///
 /// Comments of obj and off are metadata too. Lines end in LF, CR LF or CR; byte order marks of
 /// UTF-8 are blanks; NaN and infinity may be as Microsoft's C library wrote them.

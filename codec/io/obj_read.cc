@@ -6,6 +6,7 @@
 
 #include "codec/io/formats.h"
 #include "codec/io/numbers.h"
+#include "codec/io/obj_states.h"
 
 namespace clers::io {
 
@@ -19,11 +20,7 @@ struct Subject {
   std::string_view keywords;  // between spaces
 };
 constexpr Subject subjects[] = {
-    {"object", "objects", " o "},
-    {"group", "groups", " g "},
-    {"smoothing group", "smoothing groups", " s mg "},
-    {"material", "materials", " usemtl "},
-    {"library of materials", "libraries of materials", " mtllib "},
+    {"merging group", "merging groups", " mg "},
     {"texture map", "texture maps", " usemap maplib "},
     {"line", "lines", " l "},
     {"point", "points", " p "},
@@ -34,18 +31,13 @@ constexpr Subject subjects[] = {
      " bevel lod c_interp d_interp ctech stech shadow_obj trace_obj "},
     {"call", "calls", " call csh "},
 };
-constexpr std::size_t object = 0, unknown = std::size(subjects);
+constexpr std::size_t unknown = std::size(subjects);
 
 std::size_t subject_of(std::string_view keyword) {
   std::size_t i = 0;
   const std::string word = ' ' + std::string(keyword) + ' ';
   while (i < unknown && subjects[i].keywords.find(word) == std::string_view::npos) ++i;
   return i;
-}
-
-// Their names are counted, of the others the statements.
-constexpr bool is_name(std::size_t subject) {
-  return subject <= 3;
 }
 
 // The values of one kind (v, vt or vn), and what the corners of the faces use of them.
@@ -56,11 +48,10 @@ struct Values {
   std::uint32_t count = 0;
   std::uint64_t largest = 0;             // of the indices used, from 0
   const char* largest_at = nullptr;      // where in the file
-  std::vector<std::uint32_t> used = {};  // by each corner, while all faces use some
-  std::uint64_t faces_without = 0;
-  std::uint64_t indices = 0;            // that faces give
-  std::uint64_t zeros = 0;              // of them, which say that there is none
-  const char* before_any_at = nullptr;  // counts back from no value
+  std::vector<std::uint32_t> used = {};  // by each corner, up to the last that uses one
+  std::uint64_t indices = 0;             // that faces give
+  std::uint64_t zeros = 0;               // of them, which say that there is none
+  const char* before_any_at = nullptr;   // counts back from no value
 };
 
 class Reader {
@@ -98,6 +89,14 @@ class Reader {
     if (keyword == "f" || keyword == "fo") return face();  // fo: of the 1990s
     if (keyword == "vt") return texture_coordinate();
     if (keyword == "vn") return vertex_normal();
+    if (const std::size_t state = obj_state_of(keyword); state < obj_states.size()) {
+      states_[state].begin(words(), face_sizes_.size());
+      return Done{};
+    }
+    if (keyword == "mtllib") {
+      libraries_.append(libraries_.empty() ? "" : "\n").append(words());
+      return Done{};
+    }
     const std::size_t subject = subject_of(keyword);
     if (subject == unknown) {
       if (std::any_of(keyword.begin(), keyword.end(), [](char c) { return c >= 0 && c < ' '; }))
@@ -105,13 +104,9 @@ class Reader {
                                "expected a statement such as 'v' or 'f', found " + quoted(keyword));
       if (!unknown_at_) unknown_at_ = where;
     }
-    const std::string rest = words();
+    words();
     ++left_out_[subject];
-    if (subject == object) name_ = rest;
-    if (subject == unknown)
-      statements_[subject].insert(std::string(keyword));
-    else if (is_name(subject))
-      statements_[subject].insert(rest);
+    if (subject == unknown) unknown_statements_.insert(std::string(keyword));
     return Done{};
   }
 
@@ -145,14 +140,16 @@ class Reader {
 
     const std::size_t extra = text_.tokens_on_line();
     const bool color = extra == 3 || extra == 4;
-    ++(color ? colors_ : extra == 1 ? weights_ : odd_numbers_);
-    if (color && positions_.count == 1) color_components_ = static_cast<unsigned>(extra);
-    const bool keep = extra == color_components_ &&
-                      color_numbers_.size() == extra * (std::size_t{positions_.count} - 1);
+    if (color && color_components_ == 0) color_components_ = static_cast<unsigned>(extra);
+    const bool keep = color && extra == color_components_;
+    if (!keep) ++(color ? odd_colors_ : extra == 1 ? weights_ : odd_numbers_);
     double left_out_number = 0;
     for (std::size_t i = 0; i < extra; ++i)
       if (!(keep ? color_numbers_.read(text_) : text_.number(left_out_number)))
         return text_.expected("a number");
+    if (!keep) return Done{};
+    colored_.resize(positions_.count - 1, no_value);
+    colored_.push_back(colors_++);
     return Done{};
   }
 
@@ -187,7 +184,6 @@ class Reader {
 
   Expected<Done> face() {
     std::uint32_t size = 0;
-    std::array<bool, 3> all_have{true, true, true};
     do {
       text_.skip_blanks();
       const char* where = text_.at();
@@ -199,7 +195,6 @@ class Reader {
           ++values_[kind].zeros;
           given = false;
         }
-        all_have[kind] = all_have[kind] && given;
         if (!use(values_[kind], given, index, where))
           return text_.malformed(where, "expected " + std::string(values_[kind].noun) +
                                             " index from 1, or from -1 down to -" +
@@ -211,17 +206,13 @@ class Reader {
       ++size;
     } while (!text_.at_line_end());
     face_sizes_.push_back(size);
-    for (std::size_t kind = 1; kind < values_.size(); ++kind) {
-      if (all_have[kind]) continue;
-      ++values_[kind].faces_without;
-      values_[kind].used = {};
-    }
     return Done{};
   }
 
-  // False if the index cannot be one.
-  static bool use(Values& values, bool given, std::int64_t index, const char* where) {
+  // What the corner that is read uses. False if the index cannot be one.
+  bool use(Values& values, bool given, std::int64_t index, const char* where) {
     if (!given) return true;
+    const std::size_t corner = positions_.used.size() - (&values == &positions_ ? 0 : 1);
     ++values.indices;
     if (index < 0 && values.count == 0) {
       if (!values.before_any_at) values.before_any_at = where;
@@ -234,7 +225,8 @@ class Reader {
       values.largest = from_0;
       values.largest_at = where;
     }
-    if (values.faces_without == 0) values.used.push_back(static_cast<std::uint32_t>(from_0));
+    values.used.resize(corner, no_value);
+    values.used.push_back(static_cast<std::uint32_t>(from_0));
     return true;
   }
 
@@ -245,29 +237,18 @@ class Reader {
     const std::size_t faces = face_sizes_.size();
     set_face_sizes(mesh, std::move(face_sizes_));
     mesh.attributes.push_back(positions_.numbers.take(position_name, Domain::vertex, 3));
-    if (color_components_ > 0 &&
-        color_numbers_.size() == std::size_t{color_components_} * mesh.vertex_count)
-      mesh.attributes.push_back(
-          of_255ths(color_numbers_.take("color", Domain::vertex, color_components_)));
-    else
-      note_left_out(notes_, colors_, "vertex colour", "vertex colours",
-                    "not every vertex has one with as many components");
-    add_by_corner(mesh, texcoords_, "texcoord", texcoord_components_, faces);
-    add_by_corner(mesh, normals_, "normal", 3, faces);
+    add_colors(mesh);
+    add_by_corner(mesh, texcoords_, "texcoord", texcoord_components_);
+    add_by_corner(mesh, normals_, "normal", 3);
+    add_states(mesh, faces);
 
     note_left_out(notes_, weights_, "vertex weight", "vertex weights");
     note_left_out(notes_, odd_numbers_, "vertex's further numbers", "vertices' further numbers",
                   "neither a weight nor a colour");
-    if (left_out_[object] == 1) {
-      mesh.name = std::move(name_);
-      left_out_[object] = 0;
-    }
     for (std::size_t i = 0; i < unknown; ++i)
-      if (left_out_[i] > 0)
-        note_left_out(notes_, is_name(i) ? statements_[i].size() : left_out_[i], subjects[i].one,
-                      subjects[i].many);
+      note_left_out(notes_, left_out_[i], subjects[i].one, subjects[i].many);
     note_left_out(notes_, left_out_[unknown], "statement", "statements",
-                  "unknown: " + some(statements_[unknown]));
+                  "unknown: " + some(unknown_statements_));
     note_left_out(
         notes_, swallowed_, "line", "lines",
         "part of a name before it, which ends in a backslash, such as " + quoted(first_swallowed_));
@@ -278,32 +259,48 @@ class Reader {
     return result;
   }
 
-  // Gives every corner the value it uses, if all faces use some.
-  void add_by_corner(Mesh& mesh, Values& values, std::string name, unsigned components,
-                     std::size_t faces) {
-    const auto noun = values.noun.substr(2);
+  // Bytes, if all of them are 255ths.
+  void add_colors(Mesh& mesh) {
+    note_left_out(notes_, odd_colors_, "vertex colour", "vertex colours",
+                  "with fewer or more components than the first");
+    if (color_components_ == 0) return;
+    mesh.attributes.push_back(
+        of_255ths(color_numbers_.take("color", Domain::vertex, color_components_)));
+    if (colors_ == mesh.vertex_count) return;
+    colored_.resize(mesh.vertex_count, no_value);
+    mesh.attributes.back().indices = std::move(colored_);
+  }
+
+  // The values of the corners, as the file shares them.
+  void add_by_corner(Mesh& mesh, Values& values, std::string name, unsigned components) {
     note_left_out(notes_, values.zeros, "index 0", "indices 0",
                   "of " + std::string(values.nouns) + ", which count from 1");
     if (values.count == 0)
       return note_left_out(notes_, values.indices, "index", "indices",
                            "of " + std::string(values.nouns) + ", of which there are none");
-    if (faces == 0 || values.faces_without > 0)
-      return note_left_out(notes_, values.count, noun, values.nouns,
-                           std::to_string(values.faces_without) + " of " +
-                               counted(faces, "face has", "faces have") + " none");
+    if (mesh.corners.empty())
+      return note_left_out(notes_, values.count, values.noun.substr(2), values.nouns,
+                           "there are no faces to use them");
     const Attribute from = values.numbers.take({}, Domain::corner, values.stride);
     Attribute a{
         std::move(name), Domain::corner, from.scalar, static_cast<std::uint8_t>(components), {}};
-    a.data.resize(values.used.size() * a.stride());
-    std::vector<bool> used(values.count);
-    for (std::size_t c = 0; c < values.used.size(); ++c) {
-      std::memcpy(a.data.data() + c * a.stride(), from.data.data() + values.used[c] * from.stride(),
-                  a.stride());
-      used[values.used[c]] = true;
-    }
+    a.data.resize(values.count * a.stride());
+    for (std::size_t i = 0; i < values.count; ++i)
+      std::memcpy(a.data.data() + i * a.stride(), from.data.data() + i * from.stride(), a.stride());
+    values.used.resize(mesh.corners.size(), no_value);
+    a.indices = std::move(values.used);
     mesh.attributes.push_back(std::move(a));
-    note_left_out(notes_, static_cast<std::uint64_t>(std::count(used.begin(), used.end(), false)),
-                  noun, values.nouns, "used by no face");
+  }
+
+  void add_states(Mesh& mesh, std::size_t faces) {
+    for (std::size_t i = 0; i < obj_states.size(); ++i) {
+      const std::vector<std::string>& names = states_[i].names();
+      if (i == obj_object && names.size() == 1 && !names[0].empty())
+        mesh.name = names[0];
+      else if (!names.empty())
+        states_[i].add_to(mesh, obj_states[i], faces);
+    }
+    if (!libraries_.empty()) set_metadata(mesh, obj_libraries_key, std::move(libraries_));
   }
 
   Comments comments_;
@@ -316,13 +313,16 @@ class Reader {
   std::vector<std::uint32_t> face_sizes_;
   Numbers color_numbers_;
   unsigned color_components_ = 0;
-  std::uint64_t colors_ = 0, weights_ = 0, odd_numbers_ = 0;
+  std::vector<std::uint32_t> colored_;  // the colour of each vertex, up to the last that has one
+  std::uint32_t colors_ = 0;
+  std::uint64_t odd_colors_ = 0, weights_ = 0, odd_numbers_ = 0;
+  std::array<ObjNames, obj_states.size()> states_;
+  std::string libraries_;
   std::array<std::uint64_t, unknown + 1> left_out_{};
-  std::array<std::set<std::string>, unknown + 1> statements_;  // names, or keywords
-  const char* unknown_at_ = nullptr;                           // the first
+  std::set<std::string> unknown_statements_;  // by their keywords
+  const char* unknown_at_ = nullptr;          // the first
   std::uint64_t swallowed_ = 0;
   std::string_view first_swallowed_;
-  std::string name_;
   Notes notes_;
 };
 

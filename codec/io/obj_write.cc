@@ -1,8 +1,10 @@
 // Writes OBJ.
 #include <cstring>
+#include <optional>
 
 #include "codec/io/formats.h"
 #include "codec/io/numbers.h"
+#include "codec/io/obj_states.h"
 #include "codec/io/weld.h"
 
 namespace clers::io {
@@ -32,13 +34,18 @@ struct ByCorner {
   Welded welded = {};         // of a corner attribute: equal values are written once
   std::uint64_t written = 0;  // in this file, by the meshes before
 
+  bool welds() const { return attribute->domain == Domain::corner && attribute->indices.empty(); }
   std::size_t count() const {
-    if (!attribute) return 0;
-    return attribute->domain == Domain::corner ? welded.first.size()
-                                               : attribute->data.size() / attribute->stride();
+    return !attribute ? 0 : welds() ? welded.first.size() : attribute->value_count();
   }
-  std::uint64_t index(std::size_t corner, std::uint32_t vertex) const {
-    return 1 + written + (attribute->domain == Domain::corner ? welded.number[corner] : vertex);
+  /// What stands behind the slash; none: nothing.
+  std::optional<std::uint64_t> index(std::size_t corner, std::uint32_t vertex) const {
+    if (!attribute) return std::nullopt;
+    const std::size_t element = attribute->domain == Domain::corner ? corner : vertex;
+    const std::size_t value = welds()                      ? welded.number[corner]
+                              : attribute->indices.empty() ? element
+                                                           : attribute->indices[element];
+    return value == no_value ? std::nullopt : std::optional(1 + written + value);
   }
 };
 
@@ -59,7 +66,9 @@ class Writer {
     if (color && color->scalar == Scalar::uint8) color = &(floats = as_255ths(*color));
     texcoords_.attribute = by_corner(mesh, "texcoord", 1, 3);
     normals_.attribute = by_corner(mesh, "normal", 3, 3);
+    ObjFaces states(mesh);
     for (const Attribute& a : mesh.attributes) {
+      if (states.says(a)) continue;
       if (&a == position || &a == kept_color || &a == texcoords_.attribute ||
           &a == normals_.attribute)
         note_kept(a);
@@ -69,18 +78,25 @@ class Writer {
 
     if (kept_color && reads_back_as_bytes(*kept_color))
       note_remark(notes_, 1, label(*color), "is all 255ths and reads back as bytes");
-    note_metadata_left_out(notes_, mesh, {comment_key});
+    note_metadata_left_out(notes_, mesh,
+                           {comment_key, obj_libraries_key, obj_states[0].key, obj_states[1].key,
+                            obj_states[2].key, obj_states[3].key});
 
     write_comments(out_, mesh);
+    for_each_line(mesh, obj_libraries_key,
+                  [&](std::string_view names) { out_ << "mtllib " << names << '\n'; });
     if (named) out_ << "o " << one_line(mesh.name) << '\n';
     for (std::size_t v = 0; v < mesh.vertex_count; ++v) {
       out_ << 'v';
       values(*position, v);
-      if (color) values(*color, v);
+      if (color && color->indices.empty())
+        values(*color, v);
+      else if (color && color->indices[v] != no_value)
+        values(*color, color->indices[v]);
       out_ << '\n';
     }
     for (ByCorner* kind : {&texcoords_, &normals_}) begin(*kind);
-    faces(mesh);
+    faces(mesh, states);
     for (ByCorner* kind : {&texcoords_, &normals_}) kind->written += kind->count();
     vertices_written_ += mesh.vertex_count;
     return Done{};
@@ -114,33 +130,48 @@ class Writer {
   void begin(ByCorner& kind) {
     if (!kind.attribute) return;
     const Attribute& a = *kind.attribute;
-    if (a.domain == Domain::corner) kind.welded = weld(a.data, a.stride());
+    if (kind.welds()) kind.welded = weld(a.data, a.stride());
     for (std::size_t i = 0; i < kind.count(); ++i) {
       out_ << kind.statement;
-      values(a, a.domain == Domain::corner ? kind.welded.first[i] : i);
+      values(a, kind.welds() ? kind.welded.first[i] : i);
       out_ << '\n';
     }
   }
 
-  void faces(const Mesh& mesh) {
-    std::size_t corner = 0, empty = 0;
-    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+  void faces(const Mesh& mesh, ObjFaces& states) {
+    std::size_t empty = 0;
+    const auto face = [&](std::size_t f, std::size_t corner) {
       const std::uint32_t size = face_size(mesh, f);
       empty += size == 0;
-      if (size == 0) continue;
+      if (size == 0) return;
+      states.begin(out_, f);
       out_ << 'f';
-      for (std::size_t end = corner + size; corner < end; ++corner) {
+      for (const std::size_t end = corner + size; corner < end; ++corner) {
         const std::uint32_t v = mesh.corners[corner];
         out_ << ' ';
         out_.number(1 + vertices_written_ + v);
-        if (texcoords_.attribute || normals_.attribute) out_ << '/';
-        if (texcoords_.attribute) out_.number(texcoords_.index(corner, v));
-        if (!normals_.attribute) continue;
+        const auto texcoord = texcoords_.index(corner, v), normal = normals_.index(corner, v);
+        if (texcoord || normal) out_ << '/';
+        if (texcoord) out_.number(*texcoord);
+        if (!normal) continue;
         out_ << '/';
-        out_.number(normals_.index(corner, v));
+        out_.number(*normal);
       }
       out_ << '\n';
+    };
+    if (states.order().empty()) {
+      std::size_t corner = 0;
+      for (std::size_t f = 0; f < mesh.face_count(); corner += face_size(mesh, f++))
+        face(f, corner);
+    } else {
+      note_remark(notes_, mesh.face_count(), counted(mesh.face_count(), "face", "faces"),
+                  "were put together by what their statements say");
+      std::vector<std::size_t> begins(mesh.face_count());
+      for (std::size_t f = 1; f < begins.size(); ++f)
+        begins[f] = begins[f - 1] + face_size(mesh, f - 1);
+      for (const std::uint32_t f : states.order()) face(f, begins[f]);
     }
+    states.end(out_);
     note_left_out(notes_, empty, "face without corners", "faces without corners");
   }
 

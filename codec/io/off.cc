@@ -45,9 +45,11 @@ class Colors {
  public:
   bool read(Text& text, std::size_t components) {
     if (components == 0) {
+      numbers_of_.push_back(no_value);
       ++none_;
       return true;
     }
+    numbers_of_.push_back(three_ + four_ + indexed_);
     ++(components == 3 ? three_ : components == 4 ? four_ : indexed_);
     for (std::size_t i = 0; i < components; ++i) {
       text.skip_blanks();
@@ -64,14 +66,13 @@ class Colors {
 
   // Of one number each they are indices into a map that the file does not hold.
   void add_to(Mesh& mesh, Domain domain, bool declared, Notes& notes) {
-    const std::uint64_t colored = three_ + four_ + indexed_;
+    const std::uint32_t colored = three_ + four_ + indexed_;
     if (colored == 0) return;
     const bool of_vertices = domain == Domain::vertex;
-    if (none_ > 0 || std::max({three_, four_, indexed_}) != colored ||
-        (indexed_ > 0 && !all_whole_)) {
+    if (std::max({three_, four_, indexed_}) != colored || (indexed_ > 0 && !all_whole_)) {
       note_left_out(notes, colored, of_vertices ? "vertex colour" : "face colour",
                     of_vertices ? "vertex colours" : "face colours",
-                    "not all have one with as many components");
+                    "they have different numbers of components");
       return;
     }
     // Numbers that the first line does not speak of, some below 0: no colours then.
@@ -88,6 +89,7 @@ class Colors {
       a = whole<std::int32_t>(a, Scalar::int32);
     else if (all_bytes_)
       a = whole<std::uint8_t>(a, Scalar::uint8);
+    if (none_ > 0) a.indices = std::move(numbers_of_);
     mesh.attributes.push_back(std::move(a));
   }
 
@@ -115,7 +117,8 @@ class Colors {
 
   Numbers numbers_;
   bool all_bytes_ = true, all_whole_ = true, negative_ = false;
-  std::uint64_t none_ = 0, three_ = 0, four_ = 0, indexed_ = 0;
+  std::vector<std::uint32_t> numbers_of_;  // which colour each has, or none
+  std::uint32_t none_ = 0, three_ = 0, four_ = 0, indexed_ = 0;
 };
 
 class Reader {
@@ -335,7 +338,12 @@ Expected<Done> write_off(const Mesh& mesh, Output& out, Notes& notes) {
   if (!mesh.name.empty()) note_left_out(notes, 1, "the name " + quoted(mesh.name), {});
   note_metadata_left_out(notes, mesh, {comment_key});
 
-  out << (texcoord ? "ST" : "") << (color ? "C" : "") << (normal ? "N" : "") << "OFF\n";
+  // Where the first line says nothing of colours, some vertices may have none.
+  const bool some = color && !color->indices.empty();
+  const bool says_color = color && (!some || normal || texcoord);
+  for (const Attribute* a : {normal, texcoord, says_color ? color : nullptr})
+    if (a) note_zeros(notes, *a, missing(*a));
+  out << (texcoord ? "ST" : "") << (says_color ? "C" : "") << (normal ? "N" : "") << "OFF\n";
   write_comments(out, mesh);
   out.number(mesh.vertex_count);
   out << ' ';
@@ -344,7 +352,7 @@ Expected<Done> write_off(const Mesh& mesh, Output& out, Notes& notes) {
   for (std::size_t v = 0; v < mesh.vertex_count; ++v) {
     print_values(out, *position, v);
     for (const Attribute* a : {normal, color, texcoord}) {
-      if (!a) continue;
+      if (!a || (a == color && !says_color && a->indices[v] == no_value)) continue;
       out << ' ';
       print_values(out, *a, v);
     }
@@ -358,7 +366,7 @@ Expected<Done> write_off(const Mesh& mesh, Output& out, Notes& notes) {
       out << ' ';
       out.number(mesh.corners[corner]);
     }
-    if (face_color) {
+    if (face_color && (face_color->indices.empty() || face_color->indices[f] != no_value)) {
       out << ' ';
       print_values(out, *face_color, f);
     }

@@ -153,12 +153,15 @@ std::vector<Entry> plan(const Element& element);
 ///
 ///     vertex texcoord u v         face, corner: likewise
 ///     face-list normal normal     one list as long as the attribute has components
+///     vertex-lists ring ring 7    lists of up to 7 numbers, which are attributes "ring.0" to
+///                                 "ring.6"; face-lists: likewise
 ///     indices vertex_index        of the faces
 class PropertyNames {
  public:
+  enum class Form : std::uint8_t { scalars, list, lists };
   struct Line {
     Domain domain = Domain::vertex;
-    bool list = false;
+    Form form = Form::scalars;
     std::string attribute;
     std::vector<std::string> properties;
   };
@@ -168,6 +171,7 @@ class PropertyNames {
 
   void add(Line line);
   const Line* find(const Attribute& a) const;
+  const std::vector<Line>& lines() const { return lines_; }
 
   std::string indices;
 
@@ -176,6 +180,11 @@ class PropertyNames {
   std::vector<Line> lines_;
   std::map<Key, std::size_t> by_attribute_;
 };
+
+/// The attribute that holds number i of lists whose lengths differ.
+inline std::string part_of_lists(std::string_view attribute, std::size_t i) {
+  return std::string(attribute) + '.' + std::to_string(i);
+}
 
 inline constexpr std::string_view usual_indices = "vertex_indices";
 

@@ -126,15 +126,16 @@ void PropertyNames::add(Line line) {
 
 namespace {
 
+using Form = PropertyNames::Form;
 constexpr struct {
   std::string_view word;
   Domain domain;
-  bool list;
-} line_starts[] = {{"vertex", Domain::vertex, false},
-                   {"face", Domain::face, false},
-                   {"corner", Domain::corner, true},
-                   {"vertex-list", Domain::vertex, true},
-                   {"face-list", Domain::face, true}};
+  Form form;
+} line_starts[] = {
+    {"vertex", Domain::vertex, Form::scalars}, {"face", Domain::face, Form::scalars},
+    {"corner", Domain::corner, Form::list},    {"vertex-list", Domain::vertex, Form::list},
+    {"face-list", Domain::face, Form::list},   {"vertex-lists", Domain::vertex, Form::lists},
+    {"face-lists", Domain::face, Form::lists}};
 constexpr std::string_view indices_word = "indices";
 
 }  // namespace
@@ -145,7 +146,7 @@ std::string PropertyNames::text() const {
     text.append(indices_word).append(" ").append(percent_encoded(indices)).append("\n");
   for (const Line& line : lines_) {
     for (const auto& start : line_starts)
-      if (start.domain == line.domain && start.list == line.list) text += start.word;
+      if (start.domain == line.domain && start.form == line.form) text += start.word;
     text.append(" ").append(percent_encoded(line.attribute));
     for (const std::string& p : line.properties) text.append(" ").append(percent_encoded(p));
     text += '\n';
@@ -166,7 +167,7 @@ PropertyNames PropertyNames::of(const Mesh& mesh) {
     }
     for (const auto& start : line_starts) {
       if (start.word != word) continue;
-      Line line{start.domain, start.list, next(), {}};
+      Line line{start.domain, start.form, next(), {}};
       while (!words.at_line_end()) line.properties.push_back(next());
       names.add(std::move(line));
     }

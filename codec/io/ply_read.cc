@@ -69,11 +69,12 @@ Attribute interleaved(std::string name, Domain domain, std::span<const std::size
 }
 
 // How many values each corner has in a list; 0 if the lists do not follow the faces. Where there
-// are no corners it is any number.
+// are no corners it is any number. A list may be empty: its corners have no values.
 std::size_t values_per_corner(const Column& lists, const std::vector<std::uint32_t>& face_sizes,
                               std::size_t any) {
   std::size_t k = none;
   for (std::size_t f = 0; f < face_sizes.size(); ++f) {
+    if (lists.sizes[f] == 0) continue;
     if (k == none && face_sizes[f] > 0) k = lists.sizes[f] / face_sizes[f];
     if (lists.sizes[f] != (face_sizes[f] > 0 ? k * face_sizes[f] : 0)) return 0;
   }
@@ -116,9 +117,8 @@ class Reader {
     note_left_out(
         notes_, elements_.size(), "element", "elements",
         "not part of a mesh: " + some(elements_) + ", of " + counted(entries_, "entry", "entries"));
-    note_left_out(
-        notes_, lists_.size(), "list", "lists",
-        "their lengths differ from entry to entry, or do not fit the corners: " + some(lists_));
+    note_left_out(notes_, lists_.size(), "list", "lists",
+                  "their lengths do not fit the corners, or differ very much: " + some(lists_));
     if (header_.comments.count() > 0) set_metadata(mesh_, comment_key, header_.comments.take());
     if (header_.obj_infos.count() > 0) set_metadata(mesh_, obj_info_key, header_.obj_infos.take());
     if (std::string names = names_.text(); !names.empty())
@@ -157,24 +157,74 @@ class Reader {
                                            : values_per_entry(columns[first]);
         if (components == 0 || (entry.claimed == 0 && entry.domain == Domain::corner &&
                                 components != 2 && components != 3 && components != 4)) {
-          lists_.insert(p.name);
+          if (entry.domain == Domain::corner || !lists_of_lengths(entry, p, columns[first]))
+            lists_.insert(p.name);
           continue;
         }
         a = {entry.attribute, entry.domain, p.type, static_cast<std::uint8_t>(components),
              std::move(columns[first].values)};
+        if (entry.domain == Domain::corner) a.indices = indices_of_lists(columns[first].sizes);
       }
       remember_names(element, entry, a);
       mesh_.attributes.push_back(std::move(a));
     }
   }
 
+  // Number i of all lists is an attribute, which those that are shorter have no value of. False if
+  // that might take much more memory than the file.
+  bool lists_of_lengths(const Entry& entry, const Property& p, const Column& lists) {
+    const std::size_t count = lists.sizes.size(), size = size_of(p.type);
+    const std::uint32_t longest = *std::max_element(lists.sizes.begin(), lists.sizes.end());
+    if (longest == 0 || longest > 255 || count * longest > 16 * (count + lists.values.size()))
+      return false;
+    const std::size_t first = mesh_.attributes.size();
+    for (std::uint32_t i = 0; i < longest; ++i) {
+      Attribute a{part_of_lists(entry.attribute, i), entry.domain, p.type, 1, {}};
+      if (a.name.size() > 255) return mesh_.attributes.resize(first), false;
+      a.indices.assign(count, no_value);
+      mesh_.attributes.push_back(std::move(a));
+    }
+    const std::byte* from = lists.values.data();
+    for (std::size_t e = 0; e < count; ++e)
+      for (std::uint32_t i = 0; i < lists.sizes[e]; ++i, from += size) {
+        Attribute& a = mesh_.attributes[first + i];
+        a.indices[e] = static_cast<std::uint32_t>(a.value_count());
+        a.data.insert(a.data.end(), from, from + size);
+      }
+    for (std::size_t i = first; i < mesh_.attributes.size(); ++i)
+      if (Attribute& a = mesh_.attributes[i]; a.value_count() == count) a.indices = {};
+    names_.add({entry.domain,
+                PropertyNames::Form::lists,
+                entry.attribute,
+                {p.name, std::to_string(longest)}});
+    return true;
+  }
+
+  // Which value each corner has, if those of some faces have none.
+  std::vector<std::uint32_t> indices_of_lists(std::span<const std::uint32_t> sizes) const {
+    std::vector<std::uint32_t> indices;
+    std::uint32_t value = 0;
+    bool all = true;
+    for (std::size_t f = 0; f < sizes.size(); ++f) all &= sizes[f] > 0 || face_sizes_[f] == 0;
+    if (all) return indices;
+    for (std::size_t f = 0; f < sizes.size(); ++f)
+      for (std::uint32_t i = 0; i < face_sizes_[f]; ++i)
+        indices.push_back(sizes[f] == 0 ? no_value : value++);
+    return indices;
+  }
+
   // Unless they are what a writer would call them anyway.
   void remember_names(const Element& element, const Entry& entry, const Attribute& a) {
-    PropertyNames::Line line{
-        a.domain, element.properties[entry.members[0]].count_type.has_value(), a.name, {}};
+    PropertyNames::Line line{a.domain,
+                             element.properties[entry.members[0]].count_type
+                                 ? PropertyNames::Form::list
+                                 : PropertyNames::Form::scalars,
+                             a.name,
+                             {}};
     for (const std::size_t i : entry.members) line.properties.push_back(element.properties[i].name);
     const Convention* convention = convention_of(a.name, a.components);
-    const bool list_of_entries = line.list && a.domain != Domain::corner;
+    const bool list_of_entries =
+        line.form == PropertyNames::Form::list && a.domain != Domain::corner;
     const bool usual = !list_of_entries &&
                        (entry.claimed > 0 ||
                         (convention && a.domain != Domain::corner

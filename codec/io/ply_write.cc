@@ -23,9 +23,11 @@ constexpr std::string_view type_name(Scalar s) {
 // An attribute and the properties it becomes.
 struct Planned {
   const Attribute* attribute;
-  std::vector<std::string> properties;  // one for each component, or one list
+  std::vector<const Attribute*> parts = {};  // or these, and all are one list
+  std::vector<std::string> properties;       // one for each component, or one list
   bool list = false;
-  bool claim = false;  // whether a comment has to say what they are
+  bool claim = false;       // whether a comment has to say what they are
+  std::uint64_t zeros = 0;  // written for values that are missing
 };
 
 // A name of an attribute -> one that can stand in a header.
@@ -47,6 +49,10 @@ class Planner {
 
   std::vector<Planned> run(const std::string& indices, Notes& notes) {
     if (!of_vertices_) used_.insert(indices);
+    for (const PropertyNames::Line& line : names_.lines())
+      if (line.form == PropertyNames::Form::lists &&
+          (line.domain == Domain::vertex) == of_vertices_)
+        plan_lists(line);
     std::uint64_t wide = 0;
     std::set<std::string> wide_names;
     for (const Attribute& a : mesh_.attributes) {
@@ -56,6 +62,8 @@ class Planner {
         wide_names.insert(a.name);
         continue;
       }
+      if (const auto list = lists_.find(&a); list != lists_.end()) planned_.push_back(list->second);
+      if (parts_.contains(&a)) continue;
       planned_.push_back(named(a, names_.find(a)));
     }
     note_left_out(notes, wide, of_vertices_ ? "vertex attribute" : "face or corner attribute",
@@ -67,14 +75,41 @@ class Planner {
   }
 
  private:
+  // Lists whose lengths differ: parts that some elements have no value of have none of those after.
+  void plan_lists(const PropertyNames::Line& line) {
+    if (line.properties.size() != 2) return;
+    const std::string& property = line.properties[0];
+    std::vector<const Attribute*> parts;
+    while (const Attribute* a =
+               find(mesh_, part_of_lists(line.attribute, parts.size()), line.domain)) {
+      if (a->components != 1 || type_name(a->scalar).empty() || parts.size() == 255 ||
+          parts_.contains(a) || (!parts.empty() && a->scalar != parts[0]->scalar))
+        return;
+      const auto goes_on = [&](std::size_t e) {
+        return a->indices.empty() || a->indices[e] != no_value;
+      };
+      if (!parts.empty() && !parts.back()->indices.empty())
+        for (std::size_t e = 0; e < parts.back()->indices.size(); ++e)
+          if (parts.back()->indices[e] == no_value && goes_on(e)) return;
+      parts.push_back(a);
+    }
+    // The others would be left over, and lists of one length read back as something else.
+    if (parts.empty() || std::to_string(parts.size()) != line.properties[1] ||
+        parts.back()->indices.empty() || as_property(property) != property ||
+        !used_.insert(property).second)
+      return;
+    parts_.insert(parts.begin(), parts.end());
+    lists_.insert({parts[0], {parts[0], parts, {property}, true}});
+  }
+
   Planned named(const Attribute& a, const PropertyNames::Line* line) {
     const bool corner = a.domain == Domain::corner;
     const std::size_t count = corner ? 1 : a.components;
     if (line && can_be(*line, a)) {
       used_.insert(line->properties.begin(), line->properties.end());
-      return {&a, line->properties, line->list, false};
+      return {&a, {}, line->properties, line->form == PropertyNames::Form::list};
     }
-    Planned p{&a, {}, corner, false};
+    Planned p{&a, {}, {}, corner};
     const auto free = [&] {
       return std::none_of(p.properties.begin(), p.properties.end(),
                           [&](const std::string& name) { return used_.contains(name); });
@@ -100,8 +135,10 @@ class Planner {
   bool can_be(const PropertyNames::Line& line, const Attribute& a) const {
     const bool corner = a.domain == Domain::corner;
     // Without entries a list would not say how many components there are.
-    if (line.list && !corner && a.data.empty()) return false;
-    if (line.properties.size() != (line.list ? 1u : std::size_t{a.components})) return false;
+    const bool list = line.form == PropertyNames::Form::list;
+    if (line.form == PropertyNames::Form::lists) return false;
+    if (list && !corner && a.data.empty()) return false;
+    if (line.properties.size() != (list ? 1u : std::size_t{a.components})) return false;
     std::set<std::string> own;
     return std::all_of(line.properties.begin(), line.properties.end(), [&](const std::string& p) {
       return as_property(p) == p && !used_.contains(p) && own.insert(p).second;
@@ -130,7 +167,7 @@ class Planner {
     bool changed = false;
     for (std::size_t i = 0; i < planned_.size(); ++i) {
       Planned& p = planned_[i];
-      if (p.claim) continue;
+      if (p.claim || !p.parts.empty()) continue;
       const Attribute& a = *p.attribute;
       const auto found = at.find(first[i]);
       const bool same_members =
@@ -157,6 +194,8 @@ class Planner {
   const PropertyNames& names_;
   bool of_vertices_;
   std::set<std::string> used_;
+  std::map<const Attribute*, Planned> lists_;  // by their first parts
+  std::set<const Attribute*> parts_;
   std::vector<Planned> planned_;
 };
 
@@ -241,6 +280,8 @@ class Writer {
     header();
     vertices();
     faces();
+    for (const std::vector<Planned>* planned : {&vertex_, &face_})
+      for (const Planned& p : *planned) note_zeros(notes_, *p.attribute, p.zeros);
     return Done{};
   }
 
@@ -284,7 +325,7 @@ class Writer {
   void vertices() {
     BodyWriter body(encoding_, out_);
     for (std::size_t v = 0; v < mesh_.vertex_count; ++v) {
-      for (const Planned& p : vertex_) values(body, p, v, 1);
+      for (Planned& p : vertex_) values(body, p, v, 1);
       body.end_entry();
     }
   }
@@ -296,7 +337,7 @@ class Writer {
       const std::uint32_t size = face_size(mesh_, f);
       body.size(size, count_type_);
       for (std::size_t i = 0; i < size; ++i) body.index(mesh_.corners[corner + i]);
-      for (const Planned& p : face_) {
+      for (Planned& p : face_) {
         const bool corners = p.attribute->domain == Domain::corner;
         values(body, p, corners ? corner : f, corners ? size : 1);
       }
@@ -305,11 +346,29 @@ class Writer {
     }
   }
 
-  void values(BodyWriter& body, const Planned& p, std::size_t first, std::size_t count) {
+  void values(BodyWriter& body, Planned& p, std::size_t first, std::size_t count) {
+    if (!p.parts.empty()) return list(body, p.parts, first);
     const Attribute& a = *p.attribute;
+    if (!a.indices.empty()) {
+      const auto from = a.indices.begin() + static_cast<std::ptrdiff_t>(first);
+      const auto none = static_cast<std::size_t>(
+          std::count(from, from + static_cast<std::ptrdiff_t>(count), no_value));
+      // A list of the corners of a face may be empty.
+      if (a.domain == Domain::corner && none == count) count = 0;
+      p.zeros += count == 0 ? 0 : none;
+    }
     if (p.list) body.size(std::uint64_t{count} * a.components, count_type_);
     for (std::size_t i = first * a.components; i < (first + count) * a.components; ++i)
       body.value(a, i);
+  }
+
+  void list(BodyWriter& body, std::span<const Attribute* const> parts, std::size_t element) {
+    std::size_t size = 0;
+    while (size < parts.size() &&
+           (parts[size]->indices.empty() || parts[size]->indices[element] != no_value))
+      ++size;
+    body.size(size, count_type_);
+    for (const Attribute* a : parts.first(size)) body.value(*a, element);
   }
 
   // The comments and more of other programs.

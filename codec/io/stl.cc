@@ -165,12 +165,15 @@ Expected<ReadResult> read_binary(std::string_view file) {
   if (!triangles) return Failure<Error>{triangles.error()};
   if (Expected<Done> few = check_count(*triangles); !few) return Failure<Error>{few.error()};
 
-  // A triangle: normal, three corners, 16 bits for anything.
+  // A triangle: normal, three corners, 16 bits for anything, such as a colour.
   Attribute positions{{}, Domain::corner, Scalar::float32, 3, {}};
   positions.data.resize(std::size_t{*triangles} * 36);
   Normals normals;
-  std::uint64_t other_bytes = 0;
+  Attribute bits{std::string(stl_bits_name), Domain::face, Scalar::uint16, 1, {}};
+  bits.data.resize(std::size_t{*triangles} * 2);
+  bool any_bits = false;
   std::byte* to = positions.data.data();
+  std::byte* bits_to = bits.data.data();
   const char* t = file.data() + std::min(start_size, file.size());
   for (; to != positions.data.data() + positions.data.size(); t += triangle_size) {
     float numbers[12];
@@ -178,7 +181,11 @@ Expected<ReadResult> read_binary(std::string_view file) {
       numbers[i] = std::bit_cast<float>(little_u32(t + std::size_t{4} * i));
     const double normal[] = {numbers[0], numbers[1], numbers[2]};
     normals.add(normal, numbers + 3);
-    other_bytes += t[48] != 0 || t[49] != 0;
+    const auto both = static_cast<std::uint16_t>(static_cast<unsigned char>(t[48]) |
+                                                 static_cast<unsigned char>(t[49]) << 8);
+    any_bits |= both != 0;
+    std::memcpy(bits_to, &both, sizeof both);
+    bits_to += sizeof both;
     std::memcpy(to, numbers + 3, 36);
     to += 36;
   }
@@ -186,10 +193,10 @@ Expected<ReadResult> read_binary(std::string_view file) {
   const std::string_view header = file.substr(0, header_size);
   if (const std::size_t last = header.find_last_not_of('\0'); last != header.npos)
     set_metadata(mesh, header_key, std::string(header.substr(0, last + 1)));
+  if (any_bits) mesh.attributes.push_back(std::move(bits));
   set_metadata(mesh, source_key, "stl binary");
   result.meshes.push_back(std::move(mesh));
   normals.note(result.notes);
-  note_left_out(result.notes, other_bytes, "pair of attribute bytes", "pairs of attribute bytes");
   note_left_out(result.notes, static_cast<std::uint64_t>(file.data() + file.size() - t), "byte",
                 "bytes", "after the last triangle");
   return result;
@@ -398,8 +405,12 @@ Expected<Done> write_stl(const Mesh& mesh, Encoding encoding, Output& out, Notes
   lost(rounded, " was rounded to float32", " were rounded to float32");
   lost(infinite, " is too large for float32 and became infinite",
        " are too large for float32 and became infinite");
+  const Attribute* bits = find(mesh, stl_bits_name, Domain::face);
+  if (bits && (encoding == Encoding::text || bits->scalar != Scalar::uint16 ||
+               bits->components != 1 || !mesh.triangles_only()))
+    bits = nullptr;
   for (const Attribute& a : mesh.attributes)
-    if (&a != position) note_left_out(notes, a);
+    if (&a != position && &a != bits) note_left_out(notes, a);
   std::vector<bool> used(mesh.vertex_count);
   for (const std::uint32_t v : corners) used[v] = true;
   note_left_out(notes, static_cast<std::uint64_t>(std::count(used.begin(), used.end(), false)),
@@ -455,7 +466,9 @@ Expected<Done> write_stl(const Mesh& mesh, Encoding encoding, Output& out, Notes
     for (const double x : {n.x, n.y, n.z}) add_binary(out, static_cast<float>(x));
     for (std::size_t c = 3 * f; c < 3 * f + 3; ++c)
       for (unsigned i = 0; i < 3; ++i) add_binary(out, coordinate(c, i));
-    out.little(std::uint16_t{0});
+    std::uint16_t both = 0;
+    if (bits) std::memcpy(&both, bits->data.data() + f * sizeof both, sizeof both);
+    out.little(both);
   }
   return Done{};
 }

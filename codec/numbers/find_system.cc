@@ -15,14 +15,18 @@
 namespace clers::internal {
 namespace {
 
+/// The greatest common divisor, which mostly is the step already.
+std::uint64_t common_step(std::uint64_t step, std::uint64_t d) {
+  return step != 0 && d % step == 0 ? step : std::gcd(step, d);
+}
+
 /// Integers: the greatest step that all differences are multiples of.
 NumberSystem integer_steps(std::span<const std::uint64_t> keys) {
   NumberSystem system;
   std::uint64_t step = 0;
   for (std::size_t i = 1; i < keys.size() && step != 1; ++i) {
     const std::uint64_t key = keys[i], first = keys[0];
-    const std::uint64_t d = key > first ? key - first : first - key;
-    if (d != 0 && (step == 0 || d % step != 0)) step = std::gcd(step, d);
+    step = common_step(step, key > first ? key - first : first - key);
   }
   system.step = std::max<std::uint64_t>(step, 1);
   return system;
@@ -142,7 +146,8 @@ class Finder {
     for (std::size_t p = 0; p < parts; ++p) {
       const std::size_t begin = p * ns.size() / parts, end = (p + 1) * ns.size() / parts;
       std::uint64_t step = 0;
-      for (std::size_t i = begin; i < end; ++i) step = std::gcd(step, absolute(ns[i] - ns[begin]));
+      for (std::size_t i = begin; i < end && step != 1; ++i)
+        step = common_step(step, absolute(ns[i] - ns[begin]));
       if (step > 0) steps.push_back(step);
     }
     if (steps.empty()) return;

@@ -100,6 +100,18 @@ Expected<Done> make_refined(const Integers& integers, const Component& of,
   return done;
 }
 
+/// Makes the directions of points of an octahedral grid.
+template <class Int>
+void make_directions(std::span<const Int> rows, unsigned bits, Scalar scalar,
+                     std::span<std::byte> values) {
+  const OctahedralGrid grid(bits);
+  for (std::size_t i = 0; i < rows.size() / 2; ++i)
+    put_vector(scalar,
+               OctahedralGrid::direction(grid.point(static_cast<std::int64_t>(rows[2 * i]),
+                                                    static_cast<std::int64_t>(rows[2 * i + 1]))),
+               values.data() + i * 3 * size_of(scalar));
+}
+
 /// Stores strays where they belong.
 template <class U>
 Expected<Done> put_strays(const Component& of, std::size_t count, std::span<std::byte> values,
@@ -122,6 +134,12 @@ Expected<Done> put_strays(const Component& of, std::size_t count, std::span<std:
 Expected<NumberReader> NumberReader::read(ByteReader& in, Scalar scalar, std::size_t components,
                                           std::uint64_t count) {
   NumberReader reader;
+  if (is_octahedral(in)) {
+    const auto bits = read_octahedral(in, scalar, components);
+    if (!bits) return Failure{bits.error()};
+    reader.numbers_ = octahedral_numbers(scalar, *bits);
+    return reader;
+  }
   reader.numbers_.scalar = scalar;
   reader.numbers_.systems.reserve(components);
   reader.numbers_.axes.reserve(components);
@@ -164,7 +182,7 @@ std::uint64_t NumberReader::memory(std::span<const std::byte> bytes, Scalar scal
   bool refined = false;
   ByteReader in(bytes, 0);
   NumberSystem before;
-  for (std::size_t c = 0; c < components; ++c) {
+  for (std::size_t c = 0; c < components && !is_octahedral(in); ++c) {
     const auto column = read_column(in, scalar, count, c == 0 ? nullptr : &before);
     if (!column) break;  // as read() will
     before = column->system;
@@ -185,6 +203,10 @@ template <class Int>
 Expected<Done> NumberReader::make_values(std::span<const Int> rows,
                                          std::span<std::byte> values) const {
   const DoublePrecision doubles;
+  if (const unsigned bits = numbers_.octahedral_bits()) {
+    make_directions(rows, bits, numbers_.scalar, values);
+    return Done{};
+  }
   for (std::size_t c = 0; c < parts_.size(); ++c) {
     const Component of = {numbers_.scalar, parts_.size(), c};
     const Integers integers(rows, of.components, c);

@@ -12,6 +12,7 @@
 #include "codec/error.h"
 #include "codec/numbers/floating_maps.h"
 #include "codec/numbers/number_system.h"
+#include "codec/numbers/octahedral.h"
 
 namespace clers::internal {
 
@@ -78,7 +79,8 @@ template <class T>
 std::string fault_of_map(const NumberSystem& s) {
   using Limits = std::numeric_limits<T>;
   switch (s.map) {
-    case NumberMap::word: break;
+    case NumberMap::word:
+    case NumberMap::octahedral: break;
     case NumberMap::affine:
       if (std::string fault = fault_of_affine(s); !fault.empty()) return fault;
       break;
@@ -256,6 +258,45 @@ inline Expected<NumberColumn> read_column(ByteReader& in, Scalar scalar, std::ui
   if ((flags & palette) != 0 && (entries == 0 || entries > count / 2 || entries > column.axis.top))
     return invalid("a palette of " + std::to_string(entries));
   return column;
+}
+
+/// What stands for all three components of points of an octahedral grid: their map, and bits.
+inline void put_octahedral(Bytes& out, unsigned bits) {
+  put_u8(out, static_cast<std::uint32_t>(NumberMap::octahedral));
+  put_u8(out, bits);
+}
+/// Whether that is what follows.
+inline bool is_octahedral(ByteReader in) {
+  return in.left() > 0 && in.u8() == static_cast<std::uint32_t>(NumberMap::octahedral);
+}
+/// Reads it: the bits. Errors: truncated, invalid.
+inline Expected<unsigned> read_octahedral(ByteReader& in, Scalar scalar, std::size_t components) {
+  const std::uint64_t at = in.offset();
+  in.u8();
+  const std::uint32_t bits = in.u8();
+  if (!in.ok()) return Failure{in.error()};
+  if (bits < min_direction_bits || bits > max_direction_bits || !is_float(scalar) ||
+      components != 3)
+    return fail(ErrorCode::invalid, Place::byte, at,
+                "directions of " + std::to_string(bits) + " bits, of " +
+                    std::to_string(components) + " " + name(scalar));
+  return bits;
+}
+/// Their systems: one for all components.
+inline std::vector<NumberSystem> octahedral_systems(unsigned bits) {
+  NumberSystem system;
+  system.map = NumberMap::octahedral;
+  system.precision = static_cast<std::uint8_t>(bits);
+  return {system};
+}
+/// Directions of so many bits.
+inline Numbers octahedral_numbers(Scalar scalar, unsigned bits) {
+  Numbers numbers;
+  numbers.scalar = scalar;
+  numbers.systems = octahedral_systems(bits);
+  const Axis axis{OctahedralGrid(bits).top()};
+  numbers.axes = {axis, axis};
+  return numbers;
 }
 
 }  // namespace clers::internal

@@ -13,7 +13,8 @@ namespace clers::internal {
 double spacing(const NumberSystem& s) {
   double length = 0;
   switch (s.map) {
-    case NumberMap::word: break;
+    case NumberMap::word:
+    case NumberMap::octahedral: break;
     case NumberMap::quotient:
     case NumberMap::printed: length = 1 / double(s.divisor); break;
     case NumberMap::affine: length = s.length; break;
@@ -87,6 +88,7 @@ std::string describe(const Numbers& numbers, std::size_t component) {
         text = "steps of " + short_number(spacing(s));
       break;
     case NumberMap::affine: text = "steps of " + short_number(spacing(s)); break;
+    case NumberMap::octahedral: return "directions of " + counted(s.precision, "bit");
     case NumberMap::digits: text = counted(s.precision, "digit"); break;
     case NumberMap::binary: text = "float, " + counted(s.precision, "bit"); break;
     case NumberMap::printed:

@@ -15,10 +15,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "codec/numbers/lattice.h"
+#include "codec/precision.h"
 #include "codec/scalar.h"
 
 namespace clers::internal {
@@ -31,8 +33,9 @@ enum class NumberMap : std::uint8_t {
   digits = 3,    ///< significant decimal digits: N * 10^exponent, and more digits the smaller it is
   binary = 4,    ///< the same in base 2: N * 2^exponent, and more bits the smaller it is
   printed = 5,   ///< N / divisor, printed with some decimal digits and read again
+  octahedral = 6,  ///< three components at once: a point of a grid of directions (octahedral.h)
 };
-inline constexpr unsigned number_map_count = 6;
+inline constexpr unsigned number_map_count = 6;  ///< of one component
 
 /// The numbers of one component.
 struct NumberSystem {
@@ -45,7 +48,8 @@ struct NumberSystem {
   std::uint64_t divisor = 1;   ///< quotient, printed
   double origin = 0;           ///< affine
   double length = 1;           ///< affine, more than 0
-  std::uint8_t precision = 0;  ///< digits, binary, printed: how many significant digits or bits
+  std::uint8_t precision = 0;  ///< digits, binary, printed: how many significant digits or bits;
+                               ///< octahedral: bits of an integer
   bool decimals = false;       ///< printed: precision counts digits behind the point instead
   std::int16_t exponent = 0;   ///< digits, binary
 
@@ -55,8 +59,14 @@ struct NumberSystem {
 /// Those of all components of an attribute.
 struct Numbers {
   Scalar scalar = Scalar::float32;
-  std::vector<NumberSystem> systems;  ///< one a component
-  std::vector<Axis> axes;             ///< what coders of integers know of them
+  /// One a component; or one for all, octahedral, with two integers a value.
+  std::vector<NumberSystem> systems;
+  std::vector<Axis> axes;  ///< what coders of integers know of them
+
+  /// 0: values are no points of an octahedral grid.
+  unsigned octahedral_bits() const {
+    return !systems.empty() && systems[0].map == NumberMap::octahedral ? systems[0].precision : 0;
+  }
 
   /// Whether integers are std::int32_t.
   bool narrow() const {
@@ -67,8 +77,11 @@ struct Numbers {
 
 /// What was decided for all pieces of a mesh.
 struct AttributePlan {
-  std::vector<NumberSystem> systems = {};  ///< one a component; none: they are found
+  std::vector<NumberSystem> systems = {};  ///< as in Numbers; none: they are found
   double error = 0;                        ///< of the values, which are in the systems already
+  ErrorMeasure measure = ErrorMeasure::difference;
+  /// The type of numbers whose K, as std::int32_t, are handed on instead of values.
+  std::optional<Scalar> integers_of = {};
 };
 
 /// How far apart two neighbours on an axis are; 0 where that is not the same everywhere.

@@ -20,8 +20,9 @@
 namespace clers::internal {
 
 struct QuantisedValues {
-  /// Has no systems, and no error, where all values stay as they are, bit for bit. Has no systems
-  /// either where numbers or steps are greater or smaller than a file says of a grid.
+  /// Has no error where all values stay as they are, bit for bit, and no systems then but for
+  /// directions. Has no systems either where numbers or steps are greater or smaller than a file
+  /// says of a grid.
   AttributePlan plan;
   std::vector<std::byte> values;  ///< as they are decoded, packed, if there is an error
   std::optional<Outliers> outliers = {};
@@ -39,9 +40,14 @@ std::string precision_fault(const Precision& precision);
 /// A component that is on a coarser grid already stays as it is, and is moved to one that it is
 /// nearly on (near_grid.h), unless the grid does not depend on the values.
 ///
-/// Errors: bad_option (another number of origins), not_on_grid. Precondition: no precision_fault.
+/// Directions: directions.h.
+///
+/// Errors: bad_option (another number of origins; directions of what is not three floats),
+/// not_on_grid. Preconditions: no precision_fault; not Precision::Kind::recomputed.
 /// Cost: linear, and a copy of the values.
-Expected<QuantisedValues> quantise(const AttributeView& attribute, const Precision& precision);
+/// Where `as_values` is set, integers are never handed on instead: others need the values.
+Expected<QuantisedValues> quantise(const AttributeView& attribute, const Precision& precision,
+                                   bool as_values = false);
 
 }  // namespace clers::internal
 

@@ -3,6 +3,7 @@
 
 #include <cstring>
 #include <string>
+#include <tuple>
 
 namespace clers::internal {
 
@@ -36,12 +37,12 @@ Expected<std::vector<std::uint32_t>> number_piece(const PiecePlace& place,
 
 namespace {
 
-/// Puts a piece into arrays; `values_of(k)` is memory for attribute k, and bytes between its
-/// values.
+/// Puts a piece into arrays; `values_of(k)` is one of `count` attributes of the piece, memory for
+/// its values, and bytes from one to the next.
 template <class ValuesOf>
 Expected<Done> put_piece(const PiecePlace& place, const Mesh& piece,
                          std::span<std::uint32_t> corners, std::span<std::uint32_t> sizes,
-                         ValuesOf values_of) {
+                         std::size_t count, ValuesOf values_of) {
   std::vector<std::uint32_t> own;
   if (corners.empty()) {
     own = piece.corners;
@@ -53,9 +54,9 @@ Expected<Done> put_piece(const PiecePlace& place, const Mesh& piece,
   auto numbers = number_piece(place, own.empty() ? corners : std::span(own));
   if (!numbers) return Failure{numbers.error()};
   if (!sizes.empty()) put_sizes(piece, sizes.subspan(static_cast<std::size_t>(place.first_face)));
-  for (std::size_t k = 0; k < piece.attributes.size(); ++k) {
-    const Attribute& from = piece.attributes[k];
-    const auto [to, step] = values_of(k);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto [attribute, to, step] = values_of(k);
+    const Attribute& from = piece.attributes[attribute];
     const std::size_t size = from.stride();
     if (from.domain == Domain::vertex) {
       std::size_t next = static_cast<std::size_t>(place.first_vertex);
@@ -85,6 +86,13 @@ void put_sizes(const Mesh& from, std::span<std::uint32_t> to) {
 
 void put_values(const Attribute& from, std::byte* to, std::size_t step) {
   const std::size_t size = from.stride();
+  if (!from.indices.empty()) {
+    for (const std::uint32_t i : from.indices) {
+      if (i != no_value) std::memcpy(to, from.data.data() + i * size, size);
+      to += step;
+    }
+    return;
+  }
   if (step == size) {
     std::copy(from.data.begin(), from.data.end(), to);
     return;
@@ -94,17 +102,20 @@ void put_values(const Attribute& from, std::byte* to, std::size_t step) {
 }
 
 Expected<Done> put_piece(const PiecePlace& place, const Mesh& piece, Mesh& whole) {
-  return put_piece(place, piece, whole.corners, whole.face_sizes, [&](std::size_t k) {
-    Attribute& a = whole.attributes[k];
-    return std::pair(a.data.data(), a.stride());
-  });
+  return put_piece(place, piece, whole.corners, whole.face_sizes, piece.attributes.size(),
+                   [&](std::size_t k) {
+                     Attribute& a = whole.attributes[k];
+                     return std::tuple(k, a.data.data(), a.stride());
+                   });
 }
 
-Expected<Done> put_piece(const PiecePlace& place, const Mesh& piece, const MeshTarget& whole) {
-  return put_piece(place, piece, whole.corners, whole.face_sizes, [&](std::size_t k) {
-    const AttributeTarget& a = whole.attributes[k];
-    return std::pair(a.data.data(), a.step());
-  });
+Expected<Done> put_piece(const PiecePlace& place, const Mesh& piece, const MeshTarget& whole,
+                         std::span<const std::size_t> attribute_of) {
+  return put_piece(place, piece, whole.corners, whole.face_sizes, attribute_of.size(),
+                   [&](std::size_t k) {
+                     const AttributeTarget& a = whole.attributes[k];
+                     return std::tuple(attribute_of[k], a.data.data(), a.step());
+                   });
 }
 
 }  // namespace clers::internal

@@ -45,11 +45,13 @@ Expected<std::vector<std::uint32_t>> number_piece(const PiecePlace& place,
 /// invalid.
 Expected<Done> put_piece(const PiecePlace& place, const Mesh& piece, Mesh& whole);
 
-/// The same, into memory of a caller: 32-bit corners, face sizes, and the attributes that the piece
-/// has, or some of these.
-Expected<Done> put_piece(const PiecePlace& place, const Mesh& piece, const MeshTarget& whole);
+/// The same, into memory of a caller: 32-bit corners, face sizes, and attributes, of which i takes
+/// values of attribute_of[i] of the piece. Precondition: none of these has values by index.
+Expected<Done> put_piece(const PiecePlace& place, const Mesh& piece, const MeshTarget& whole,
+                         std::span<const std::size_t> attribute_of);
 
-/// The sizes of all faces of a mesh; the values of an attribute, `step` bytes apart.
+/// The sizes of all faces of a mesh; the values of the elements of an attribute, `step` bytes
+/// apart: where an element has none, the memory stays as it is.
 void put_sizes(const Mesh& from, std::span<std::uint32_t> to);
 void put_values(const Attribute& from, std::byte* to, std::size_t step);
 

@@ -5,6 +5,7 @@
 #define CLERS_CODEC_SOUP_REVERSED_FACES_H
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -100,19 +101,37 @@ inline Expected<std::vector<ReversedRun>> decode_reversed(const ReversedHeader& 
   return runs;
 }
 
-/// Reverses faces, each from its first corner on. `sizes` empty: triangles.
-inline void reverse_runs(std::span<std::uint32_t> corners, std::span<const std::uint32_t> sizes,
-                         std::span<const ReversedRun> runs) {
+/// Calls visit(begin, size) with the first corner of each face in the runs. `sizes` empty:
+/// triangles.
+template <class Visit>
+void for_each_in_runs(std::span<const std::uint32_t> sizes, std::span<const ReversedRun> runs,
+                      Visit visit) {
   std::size_t face = 0, begin = 0;
-  const auto size = [&](std::size_t f) { return sizes.empty() ? 3 : sizes[f]; };
+  const auto size = [&](std::size_t f) { return sizes.empty() ? std::size_t(3) : sizes[f]; };
   for (const ReversedRun& run : runs) {
     for (; face < run.first; ++face) begin += size(face);
-    for (; face < std::size_t(run.first) + run.count; ++face) {
-      const auto cycle = corners.subspan(begin, size(face));
-      std::reverse(cycle.begin() + 1, cycle.end());
-      begin += cycle.size();
-    }
+    for (; face < std::size_t(run.first) + run.count; begin += size(face++))
+      visit(begin, size(face));
   }
+}
+
+/// Reverses faces, each from its first corner on.
+inline void reverse_runs(std::span<std::uint32_t> corners, std::span<const std::uint32_t> sizes,
+                         std::span<const ReversedRun> runs) {
+  for_each_in_runs(sizes, runs, [&](std::size_t begin, std::size_t size) {
+    const auto cycle = corners.subspan(begin, size);
+    std::reverse(cycle.begin() + 1, cycle.end());
+  });
+}
+
+/// The same of what corners have, so many bytes each.
+inline void reverse_runs(std::span<std::byte> values, std::size_t width,
+                         std::span<const std::uint32_t> sizes, std::span<const ReversedRun> runs) {
+  for_each_in_runs(sizes, runs, [&](std::size_t begin, std::size_t size) {
+    std::byte* const cycle = values.data() + begin * width;
+    for (std::size_t i = 1, j = size - 1; i < j; ++i, --j)
+      std::swap_ranges(cycle + i * width, cycle + (i + 1) * width, cycle + j * width);
+  });
 }
 
 }  // namespace clers::internal

@@ -49,8 +49,8 @@ inline CodedArrays stitched(CodedArrays s, corpus::Random& random) {
   return s;
 }
 
-/// All kinds: closed, with holes, handles, components; then vertices made one.
-inline std::vector<CodedArrays> coded_surfaces() {
+/// All kinds: closed, with holes, handles, components, and some at random; then vertices made one.
+inline std::vector<CodedArrays> coded_surfaces(std::uint64_t at_random = 300) {
   std::vector<CodedArrays> all;
   for (const Mesh& mesh :
        {corpus::single_triangle(), corpus::glued_pair(), corpus::tetrahedron(),
@@ -58,7 +58,7 @@ inline std::vector<CodedArrays> coded_surfaces() {
         corpus::punch_holes(corpus::torus(20, 15), 12, 1),
         corpus::copies(corpus::punch_holes(corpus::icosphere(2), 3, 1), 3)})
     all.push_back(coded(mesh));
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  for (std::uint64_t seed = 0; seed < at_random; ++seed) {
     corpus::Random random(seed);
     const LegalStream stream =
         legal_stream(1 + random.below(60), [&](std::uint32_t n) { return random.below(n); });

@@ -86,7 +86,7 @@ TEST(MixedCoder, Returns) {
   Random random(1);
   const auto narrow = all_axes(), wide = wide_axes();
   std::size_t next = 0;
-  for (const CodedArrays& arrays : test::coded_surfaces()) {
+  for (const CodedArrays& arrays : test::coded_surfaces(90)) {
     const std::size_t isolated = random.below(4);
     const std::size_t values = arrays.introduced_by.size() + isolated;
     CodedSurface surface = arrays.view();
@@ -135,7 +135,7 @@ void does_no_harm(const Bytes& bytes, const CodedSurface& surface, std::span<con
 
 template <class Int>
 void bears_any_bytes(const std::vector<std::vector<Axis>>& all, Random& random) {
-  for (const CodedArrays& arrays : test::coded_surfaces()) {
+  for (const CodedArrays& arrays : test::coded_surfaces(90)) {
     const CodedSurface surface = arrays.view();
     const std::size_t values = arrays.introduced_by.size() + 2;
     const auto& a = all[random.below(static_cast<std::uint32_t>(all.size()))];

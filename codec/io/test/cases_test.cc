@@ -79,6 +79,8 @@ std::string shown(const Mesh& mesh) {
            scalars[static_cast<unsigned>(a.scalar)] + ':';
     for (std::size_t i = 0; i < a.data.size() / size_of(a.scalar); ++i)
       out += (i > 0 && i % a.components == 0 ? ", " : " ") + value(a, i);
+    if (!a.indices.empty()) out += " by";
+    for (const std::uint32_t i : a.indices) out += i == no_value ? " -" : ' ' + std::to_string(i);
     out += '\n';
   }
   if (!mesh.name.empty()) out += "name " + shown(mesh.name) + '\n';

@@ -40,6 +40,19 @@ std::vector<T> values_of(const Attribute& a) {
   return values;
 }
 
+/// The attribute with a value for each element, zeros where one is missing.
+inline Attribute by_element(Attribute a) {
+  if (a.indices.empty()) return a;
+  const std::vector<std::byte> values = std::move(a.data);
+  a.data.assign(a.indices.size() * a.stride(), std::byte{0});
+  for (std::size_t i = 0; i < a.indices.size(); ++i)
+    if (a.indices[i] != no_value)
+      std::memcpy(a.data.data() + i * a.stride(), values.data() + a.indices[i] * a.stride(),
+                  a.stride());
+  a.indices = {};
+  return a;
+}
+
 /// The named attribute, which must be there.
 inline const Attribute& get(const Mesh& mesh, std::string_view name, Domain domain) {
   static const Attribute none;
@@ -83,7 +96,8 @@ inline std::string metadata_of(const Mesh& mesh, std::string_view key) {
   return "none";
 }
 
-/// Equal in all but the order in which attributes of vertices and others alternate.
+/// Equal in all but the order in which attributes of vertices and others alternate, and in what
+/// shares values.
 inline ::testing::AssertionResult same(const Mesh& a, const Mesh& b) {
   const auto differ = [](auto&&... what) {
     ::testing::AssertionResult result = ::testing::AssertionFailure();
@@ -108,7 +122,13 @@ inline ::testing::AssertionResult same(const Mesh& a, const Mesh& b) {
     if (x.name != y.name || x.domain != y.domain || x.scalar != y.scalar ||
         x.components != y.components)
       return differ("attribute ", i, ": '", x.name, "' and '", y.name, "' are of different kinds");
-    if (x.data != y.data) return differ("values of '", x.name, "' differ");
+    const std::size_t elements = std::max(x.indices.size(), y.indices.size());
+    const auto missing = [](const Attribute& z, std::size_t element) {
+      return !z.indices.empty() && z.indices[element] == no_value;
+    };
+    for (std::size_t e = 0; e < elements; ++e)
+      if (missing(x, e) != missing(y, e)) return differ("'", x.name, "' lacks other values");
+    if (by_element(x).data != by_element(y).data) return differ("values of '", x.name, "' differ");
   }
   return ::testing::AssertionSuccess();
 }

@@ -23,7 +23,9 @@ TEST(Obj, ReadsEveryFormOfCorner) {
     const Mesh mesh = must_read(values + face, Format::obj).meshes[0];
     EXPECT_EQ(mesh.corners, (std::vector<std::uint32_t>{0, 1, 2})) << face;
     std::string names;
-    for (std::size_t i = 1; i < mesh.attributes.size(); ++i) names += mesh.attributes[i].name + " ";
+    for (const Attribute& a : mesh.attributes)
+      if (std::any_of(a.indices.begin(), a.indices.end(), [](auto i) { return i != no_value; }))
+        names += a.name + " ";
     return names;
   };
   EXPECT_EQ(attributes("f 1 2 3"), "");
@@ -32,32 +34,77 @@ TEST(Obj, ReadsEveryFormOfCorner) {
   EXPECT_EQ(attributes("f 1/1/ 2/2/ 3/1/"), "texcoord ");
   EXPECT_EQ(attributes("f 1//1 2//2 3//1"), "normal ");
   EXPECT_EQ(attributes("f -3/-2/-2 -2/-1/-1 -1/-2/-2"), "texcoord normal ");
-  EXPECT_EQ(attributes("f 1/1 2 3/1"), "");
+  EXPECT_EQ(attributes("f 1/1 2 3/1"), "texcoord ");
   const Mesh mesh = must_read(values + "f 1/1/2 2/2/1 3/1/1", Format::obj).meshes[0];
   const Attribute& texcoord = get(mesh, "texcoord", Domain::corner);
   EXPECT_EQ(texcoord.components, 2);
-  EXPECT_EQ(values_of<float>(texcoord), (std::vector{.5f, 0.f, 1.f, 2.f, .5f, 0.f}));
-  EXPECT_EQ(values_of<float>(get(mesh, "normal", Domain::corner)),
-            (std::vector{0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 1.f}));
+  EXPECT_EQ(values_of<float>(texcoord), (std::vector{.5f, 0.f, 1.f, 2.f}));
+  EXPECT_EQ(texcoord.indices, (std::vector<std::uint32_t>{0, 1, 0}));
+  const Attribute& normal = get(mesh, "normal", Domain::corner);
+  EXPECT_EQ(values_of<float>(normal), (std::vector{0.f, 0.f, 1.f, 0.f, 1.f, 0.f}));
+  EXPECT_EQ(normal.indices, (std::vector<std::uint32_t>{1, 0, 0}));
 }
 
 TEST(Obj, NotesWhatIsLeftOut) {
   const ReadResult result = must_read(
-      "mtllib a.mtl\no one\nv 0 0 0 2\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 1\nvn 0 0 1\n"
-      "usemtl red\ns 1\nf 1/1 2/1 3/1\no two\nf 3 2 1\nl 1 2\ng a \\\nb c\n",
+      "v 0 0 0 2\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/0 2/1 3\nl 1 2\ng a \\\nb c\n"
+      "mg 1 .5\n",
       Format::obj);
-  EXPECT_EQ(result.meshes[0].name, "");
-  EXPECT_EQ(result.meshes[0].attributes.size(), 1u);
-  for (const char* note :
-       {"1 vertex weight was", "2 texture coordinates were left out: 1 of 2 faces have none",
-        "1 normal was left out: 2 of 2 faces have none", "2 objects were", "1 material was",
-        "1 smoothing group was", "1 line was left out", "1 group was", "1 library of materials was",
-        "part of a name before it, which ends in a backslash, such as 'b c'"})
+  for (const char* note : {"1 vertex weight was", "1 line was left out",
+                           "1 index 0 was left out: of normals", "1 merging group was left out",
+                           "part of a name before it, which ends in a backslash, such as 'b c'"})
     EXPECT_TRUE(notes_say(result.notes, note)) << note;
-  EXPECT_EQ(result.notes.size(), 10u);
+  EXPECT_EQ(result.notes.size(), 5u);
 
-  const ReadResult unused = must_read("v 0 0 0\nvt 0\nvt 1\nvt 2\nf 1/2 1/2 1/2\n", Format::obj);
-  EXPECT_TRUE(notes_say(unused.notes, "2 texture coordinates were left out: used by no face"));
+  const ReadResult unused = must_read("v 0 0 0\nvt 0\nvt 1\n", Format::obj);
+  EXPECT_TRUE(notes_say(unused.notes,
+                        "2 texture coordinates were left out: there are no faces to use them"));
+}
+
+TEST(Obj, SomeCornersHaveNoValue) {
+  const Mesh mesh = must_read(
+                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 1\nvt 1 1\nvt 7 7\n"
+                        "f 1 2 3\nf 1/3 2 3/2\nf 1 2 3\n",
+                        Format::obj)
+                        .meshes[0];
+  const Attribute& texcoord = get(mesh, "texcoord", Domain::corner);
+  // Of the equal ones each is kept, and the one that no face uses.
+  EXPECT_EQ(values_of<float>(texcoord), (std::vector{0.f, 0.f, 1.f, 1.f, 1.f, 1.f, 7.f, 7.f}));
+  constexpr std::uint32_t n = no_value;
+  EXPECT_EQ(texcoord.indices, (std::vector<std::uint32_t>{n, n, n, 2, n, 1, n, n, n}));
+  const std::string text = text_of(must_write(mesh, Format::obj).bytes);
+  EXPECT_NE(text.find("vt 7 7\nf 1 2 3\nf 1/3 2 3/2\nf 1 2 3\n"), text.npos) << text;
+  EXPECT_TRUE(same(must_read(text, Format::obj).meshes[0], mesh));
+}
+
+TEST(Obj, StatesOfFacesAreAttributes) {
+  const std::string file =
+      "mtllib a.mtl\nmtllib b c.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no one\ng left right\n"
+      "usemtl red\ns 1\nf 2 3 1\no two\ng\nusemtl blue\ns off\nf 3 2 1\nusemtl unused\n";
+  const Mesh mesh = must_read(file, Format::obj).meshes[0];
+  constexpr std::uint32_t n = no_value;
+  for (const char* name : {"object", "group", "material", "smoothing"})
+    EXPECT_EQ(get(mesh, name, Domain::face).indices, (std::vector<std::uint32_t>{n, 0, 1})) << name;
+  EXPECT_EQ(metadata_of(mesh, "obj.objects"), "one\ntwo");
+  EXPECT_EQ(metadata_of(mesh, "obj.groups"), "left right\n");
+  EXPECT_EQ(metadata_of(mesh, "obj.materials"), "red\nblue\nunused");
+  EXPECT_EQ(metadata_of(mesh, "obj.smoothing"), "1\noff");
+  EXPECT_EQ(metadata_of(mesh, "obj.mtllib"), "a.mtl\nb c.mtl");
+  const WriteResult written = must_write(mesh, Format::obj);
+  EXPECT_EQ(text_of(written.bytes), file);
+  EXPECT_TRUE(written.notes.empty());
+}
+
+TEST(Obj, FacesAreWrittenByTheirStates) {
+  const Mesh mesh = must_read(
+                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl a\nf 1 2 3\nusemtl b\n"
+                        "f 2 3 1\nusemtl a\nf 3 1 2\n",
+                        Format::obj)
+                        .meshes[0];
+  const WriteResult written = must_write(mesh, Format::obj);
+  EXPECT_EQ(text_of(written.bytes),
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl a\nf 1 2 3\nf 3 1 2\nusemtl b\nf 2 3 1\n");
+  EXPECT_TRUE(notes_say(written.notes, "4 faces were put together by what their statements say"));
 }
 
 TEST(Obj, TheOnlyObjectNamesTheMesh) {
@@ -71,12 +118,16 @@ TEST(Obj, VertexColours) {
   EXPECT_EQ(get(must_read("v 0 0 0 1 2 3 4\n", Format::obj).meshes[0], "color", Domain::vertex)
                 .components,
             4);
-  for (const char* file : {"v 0 0 0 1 2 3\nv 0 0 0\n", "v 0 0 0\nv 0 0 0 1 2 3\n",
-                           "v 0 0 0 1 2 3\nv 0 0 0 1 2 3 4\nv 0 0 0 1 2 3\n"}) {
-    const ReadResult mixed = must_read(file, Format::obj);
-    EXPECT_EQ(mixed.meshes[0].attributes.size(), 1u);
-    EXPECT_TRUE(notes_say(mixed.notes, "left out: not every vertex has one")) << file;
-  }
+  const ReadResult mixed =
+      must_read("v 0 0 0 1 2 3\nv 0 0 0 1 2 3 4\nv 0 0 0 1 2 3\n", Format::obj);
+  EXPECT_EQ(get(mixed.meshes[0], "color", Domain::vertex).indices,
+            (std::vector<std::uint32_t>{0, no_value, 1}));
+  EXPECT_TRUE(
+      notes_say(mixed.notes, "1 vertex colour was left out: with fewer or more components"));
+  const Mesh some = must_read("v 0 0 0\nv 0 0 0 1 2 3\nv 1 1 1\n", Format::obj).meshes[0];
+  EXPECT_EQ(get(some, "color", Domain::vertex).indices,
+            (std::vector<std::uint32_t>{no_value, 0, no_value}));
+  EXPECT_EQ(text_of(must_write(some, Format::obj).bytes), "v 0 0 0\nv 0 0 0 1 2 3\nv 1 1 1\n");
 }
 
 TEST(Obj, LinesContinueAndCommentsEnd) {

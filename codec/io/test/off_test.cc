@@ -33,18 +33,35 @@ TEST(Off, ColoursAreBytesIfAllAreWholeAndSmall) {
   EXPECT_EQ(scalar("0 1 -1"), Scalar::float32);
 }
 
-TEST(Off, ColoursOfFacesAreKeptIfAllHaveThem) {
+TEST(Off, ColoursOfFacesAreKept) {
   const std::string start = "OFF 3 2 0\n0 0 0\n1 0 0\n0 1 0\n";
   const Mesh mesh = must_read(start + "3 0 1 2 1 2 3\n2 0 1 4 5 6", Format::off).meshes[0];
   EXPECT_EQ(mesh.face_sizes, (std::vector<std::uint32_t>{3, 2}));
   EXPECT_EQ(values_of<std::uint8_t>(get(mesh, "color", Domain::face)),
             (std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6}));
-  for (const char* faces : {"3 0 1 2 1 2 3\n3 0 1 2\n", "3 0 1 2 1 2 3\n3 0 1 2 1 2 3 4\n",
-                            "3 0 1 2 7\n3 0 1 2 8 8 8\n"}) {
+  const Mesh some = must_read(start + "3 0 1 2\n3 0 1 2 1 2 3\n", Format::off).meshes[0];
+  EXPECT_EQ(get(some, "color", Domain::face).indices, (std::vector<std::uint32_t>{no_value, 0}));
+  EXPECT_EQ(text_of(must_write(some, Format::off).bytes),
+            "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 2 1 2 3\n");
+  for (const char* faces : {"3 0 1 2 1 2 3\n3 0 1 2 1 2 3 4\n", "3 0 1 2 7\n3 0 1 2 8 8 8\n"}) {
     const ReadResult result = must_read(start + faces, Format::off);
     EXPECT_EQ(result.meshes[0].attributes.size(), 1u);
     EXPECT_TRUE(notes_say(result.notes, "left out")) << faces;
   }
+}
+
+TEST(Off, SomeVerticesHaveNoColour) {
+  const std::string file = "OFF\n2 0 0\n0 0 0\n1 0 0 1 2 3\n";
+  Mesh mesh = must_read(file, Format::off).meshes[0];
+  EXPECT_EQ(get(mesh, "color", Domain::vertex).indices, (std::vector<std::uint32_t>{no_value, 0}));
+  WriteResult written = must_write(mesh, Format::off);
+  EXPECT_EQ(text_of(written.bytes), file);
+  EXPECT_TRUE(written.notes.empty());
+  // With other values beside them every line has to have one.
+  mesh.attributes.push_back(attribute<float>("normal", Domain::vertex, 3, {0, 0, 1, 0, 0, 1}));
+  written = must_write(mesh, Format::off);
+  EXPECT_TRUE(notes_say(written.notes, "1 missing value became zeros"));
+  EXPECT_NE(text_of(written.bytes).find("0 0 0 0 0 1 0 0 0"), std::string::npos);
 }
 
 TEST(Off, Writes) {

@@ -134,13 +134,54 @@ TEST_P(EveryPly, FacesHaveScalarsAndCornersHaveLists) {
                                                 "property uchar quality\n"),
                                       Format::ply);
   const Mesh& mesh = result.meshes[0];
-  ASSERT_EQ(mesh.attributes.size(), 3u);
+  ASSERT_EQ(mesh.attributes.size(), 5u);
   const Attribute& texcoord = get(mesh, "texcoord", Domain::corner);
   EXPECT_EQ(texcoord.components, 2);
   EXPECT_EQ(values_of<float>(texcoord).back(), 13.f);
   EXPECT_EQ(values_of<std::uint8_t>(get(mesh, "quality", Domain::face)),
             (std::vector<std::uint8_t>{200, 100}));
-  EXPECT_TRUE(notes_say(result.notes, "1 list was left out"));
+  // Lists whose lengths differ.
+  EXPECT_TRUE(result.notes.empty());
+  EXPECT_EQ(metadata_of(mesh, "ply.properties"), "face-lists other other 2");
+  EXPECT_EQ(get(mesh, "other.1", Domain::face).indices, (std::vector<std::uint32_t>{0, no_value}));
+  const WriteResult written = must_write(mesh, Format::ply);
+  EXPECT_TRUE(written.notes.empty());
+  const Mesh again = must_read(written.bytes, Format::ply).meshes[0];
+  EXPECT_TRUE(same(again, mesh));
+  EXPECT_EQ(metadata_of(again, "ply.properties"), metadata_of(mesh, "ply.properties"));
+}
+
+TEST(Ply, TheCornersOfSomeFacesHaveNoValues) {
+  const std::string file =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 3\nproperty list uchar int vertex_indices\n"
+      "property list uchar float texcoord\nend_header\n0 0 0\n1 0 0\n0 1 0\n"
+      "3 0 1 2 0\n3 1 2 0 6 1 2 3 4 5 6\n3 2 1 0 0\n";
+  const Mesh mesh = must_read(file, Format::ply).meshes[0];
+  const Attribute& texcoord = get(mesh, "texcoord", Domain::corner);
+  constexpr std::uint32_t n = no_value;
+  EXPECT_EQ(texcoord.components, 2);
+  EXPECT_EQ(texcoord.indices, (std::vector<std::uint32_t>{n, n, n, 0, 1, 2, n, n, n}));
+  const WriteResult written = must_write(mesh, Format::ply, Encoding::text);
+  EXPECT_TRUE(written.notes.empty());
+  EXPECT_EQ(text_of(written.bytes), file);
+}
+
+TEST(Ply, MissingValuesOfVerticesBecomeZeros) {
+  Mesh mesh;
+  mesh.vertex_count = 2;
+  mesh.attributes = {attribute<float>("a", Domain::vertex, 1, {7}),
+                     attribute<std::uint8_t>("b.0", Domain::vertex, 1, {1, 2}),
+                     attribute<std::uint8_t>("b.1", Domain::vertex, 1, {3})};
+  mesh.attributes[0].indices = {no_value, 0};
+  mesh.attributes[2].indices = {0, no_value};
+  const WriteResult written = must_write(mesh, Format::ply);
+  EXPECT_TRUE(notes_say(written.notes, "'a' (1 x float32): 1 missing value became zeros"));
+  const Mesh again = must_read(written.bytes, Format::ply).meshes[0];
+  EXPECT_EQ(values_of<float>(get(again, "a", Domain::vertex)), (std::vector<float>{0, 7}));
+  // Without the names of the lists, they are three properties.
+  EXPECT_TRUE(notes_say(written.notes, "'b.1' (1 x uint8): 1 missing value became zeros"));
+  EXPECT_EQ(again.attributes.size(), 3u);
 }
 
 TEST_P(EveryPly, ElementsMayComeInAnyOrderAndOthersAreNoted) {

@@ -64,8 +64,13 @@ void read_and_check(const std::vector<std::byte>& file, Format format) {
     ASSERT_EQ(mesh.corners.size(), mesh.triangles_only() ? 3 * mesh.face_count() : corners);
     for (const std::uint32_t v : mesh.corners) ASSERT_LT(v, mesh.vertex_count);
     const std::size_t counts[] = {mesh.vertex_count, mesh.corners.size(), mesh.face_count()};
-    for (const Attribute& a : mesh.attributes)
-      ASSERT_EQ(a.data.size(), counts[static_cast<unsigned>(a.domain)] * a.stride()) << a.name;
+    for (const Attribute& a : mesh.attributes) {
+      const std::size_t count = counts[static_cast<unsigned>(a.domain)];
+      ASSERT_EQ(a.data.size() % a.stride(), 0u) << a.name;
+      ASSERT_EQ(a.indices.empty() ? a.value_count() : a.indices.size(), count) << a.name;
+      for (const std::uint32_t i : a.indices)
+        ASSERT_TRUE(i == no_value || i < a.value_count()) << a.name;
+    }
   }
 }
 

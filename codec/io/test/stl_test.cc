@@ -33,9 +33,13 @@ TEST(Stl, WeldsABinaryFileEvenIfItBeginsWithSolid) {
     EXPECT_EQ(mesh.corners, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
     EXPECT_EQ(values_of<float>(*mesh.position()),
               (std::vector<float>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}));
-    for (const char* note : {"6 corners became 4 vertices", "1 facet normal came from the corners",
-                             "1 pair of attribute bytes was left out"})
+    for (const char* note : {"6 corners became 4 vertices", "1 facet normal came from the corners"})
       EXPECT_TRUE(notes_say(result.notes, note)) << note;
+    EXPECT_EQ(values_of<std::uint16_t>(get(mesh, "stl.bits", Domain::face)),
+              (std::vector<std::uint16_t>{0, 7}));
+    const std::string back = text_of(must_write(mesh, Format::stl).bytes);
+    EXPECT_EQ(back.substr(back.size() - 2), std::string("\7\0", 2));
+    EXPECT_TRUE(notes_say(must_write(mesh, Format::stl, Encoding::text).notes, "'stl.bits'"));
   }
   EXPECT_TRUE(notes_say(must_read(square("") + "xyz", Format::stl).notes,
                         "3 bytes were left out: after the last triangle"));

@@ -61,8 +61,14 @@ void compare_with_other_reader(const std::string& file) {
     for (const tinyobj::index_t& index : shape.mesh.indices) {
       ASSERT_EQ(mesh.corners[corner], static_cast<std::uint32_t>(index.vertex_index));
       if (texcoord && texcoord->scalar == Scalar::float32) {
+        const std::uint32_t value = texcoord->indices[corner];
+        ASSERT_EQ(value, static_cast<std::uint32_t>(index.texcoord_index));
+        if (value == no_value) {
+          ++corner;
+          continue;
+        }
         float u;
-        std::memcpy(&u, texcoord->data.data() + corner * texcoord->stride(), sizeof u);
+        std::memcpy(&u, texcoord->data.data() + value * texcoord->stride(), sizeof u);
         ASSERT_EQ(u, static_cast<float>(
                          attrib.texcoords[2 * static_cast<std::size_t>(index.texcoord_index)]));
       }

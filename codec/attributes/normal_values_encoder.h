@@ -1,0 +1,22 @@
+// Integers of normals -> bytes.
+#ifndef CLERS_CODEC_ATTRIBUTES_NORMAL_VALUES_ENCODER_H
+#define CLERS_CODEC_ATTRIBUTES_NORMAL_VALUES_ENCODER_H
+
+#include <span>
+
+#include "codec/attributes/value_surface.h"
+#include "codec/entropy/bytes.h"
+#include "codec/numbers/number_system.h"
+
+namespace clers::internal {
+
+/// Encodes normals by the formula that predicts the first of them best. Preconditions:
+/// may_be_normals, and what lattice.h says; points of an octahedral grid are the places that it
+/// gives them. Cost: linear for each formula that is tried, twelve at most. Throws std::bad_alloc
+/// only.
+template <class Int>
+Bytes encode_normals(std::span<const Int> rows, const Numbers& numbers, const ValueSurface& along);
+
+}  // namespace clers::internal
+
+#endif

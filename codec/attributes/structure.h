@@ -1,0 +1,176 @@
+// Which element of a mesh has which value of an attribute: those that are missing, seams, wedges
+// and values that are shared, one after the other in a stream that both directions go through. And
+// the surface that the values are coded along then.
+#ifndef CLERS_CODEC_ATTRIBUTES_STRUCTURE_H
+#define CLERS_CODEC_ATTRIBUTES_STRUCTURE_H
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "codec/attributes/coded_faces.h"
+#include "codec/attributes/missing.h"
+#include "codec/attributes/seams.h"
+#include "codec/attributes/sharing.h"
+#include "codec/attributes/structure_format.h"
+#include "codec/attributes/value_surface.h"
+#include "codec/attributes/wedges.h"
+#include "codec/mesh.h"
+
+namespace clers::internal {
+
+/// Which value each element has, and what attributes after this one may use.
+struct ValueStructure {
+  std::vector<std::uint32_t> value_of;  ///< of each element: a coded value, or no_value
+  Seams seams;                          ///< of half-edges; empty: corners have no structure
+};
+
+/// The arrays of a ValueSurface.
+struct ValueArrays {
+  CodedArrays surface;
+  std::vector<std::uint32_t> vertex_of;
+  std::vector<std::uint32_t> vertex_at;  ///< where values are at several vertices
+
+  ValueSurface view(const Attribute* position) const {
+    return {surface.view(), vertex_of, vertex_at, position};
+  }
+};
+
+/// The surface of the values that elements of vertices or corners have; of faces, none. Cost:
+/// linear; memory: value_surface_memory.
+inline ValueArrays make_value_surface(const CodedFaces& faces, Domain domain,
+                                      const ValueStructure& structure, std::size_t values) {
+  ValueArrays out;
+  if (domain == Domain::face) return out;
+  const CodedSurface& whole = faces.surface;
+  const auto value = [&](std::size_t h) {
+    return structure
+        .value_of[domain == Domain::corner ? faces.corner(h) : std::size_t(whole.corners[h])];
+  };
+  out.surface.corners.reserve(whole.corners.size());
+  out.surface.twins.reserve(whole.twins.size());
+  // Where triangles are left out, those after them get other numbers.
+  std::vector<std::uint32_t> number;
+  const auto is_left_out = [&](std::size_t t) {
+    return value(3 * t) == no_value || value(3 * t + 1) == no_value || value(3 * t + 2) == no_value;
+  };
+  for (std::size_t t = 0; t < whole.corners.size() / 3; ++t) {
+    const auto now = static_cast<std::uint32_t>(out.surface.corners.size() / 3);
+    const bool left_out = is_left_out(t);
+    if (left_out && number.empty()) {
+      number.reserve(whole.corners.size() / 3);
+      for (std::uint32_t s = 0; s < t; ++s) number.push_back(s);
+    }
+    if (left_out || !number.empty()) number.push_back(left_out ? no_value : now);
+    if (!left_out)
+      for (std::size_t i = 0; i < 3; ++i) out.surface.corners.push_back(value(3 * t + i));
+  }
+  for (std::size_t h = 0; h < whole.twins.size(); ++h) {
+    if (!number.empty() && number[h / 3] == no_value) continue;
+    HalfEdge twin = whole.twins[h];
+    if (twin && !structure.seams.empty() && structure.seams[h]) twin = HalfEdge();
+    if (twin && !number.empty()) {
+      const std::uint32_t t = number[left(twin).index()];
+      twin = t == no_value ? HalfEdge() : half_edge(Face(t), corner(twin));
+    }
+    out.surface.twins.push_back(twin);
+  }
+  out.surface.introduced_by.resize(values);
+  find_introducing(out.surface.corners, out.surface.introduced_by);
+  out.vertex_of.resize(values);
+  for (std::size_t e = structure.value_of.size(); e-- > 0;)
+    if (structure.value_of[e] != no_value)
+      out.vertex_of[structure.value_of[e]] =
+          domain == Domain::corner ? faces.corners[e] : static_cast<std::uint32_t>(e);
+  std::size_t h = 0;  // of the surface
+  const auto for_each_kept = [&](auto visit) {
+    h = 0;
+    for (std::size_t t = 0; t < whole.corners.size() / 3; ++t)
+      for (std::size_t i = 0; i < 3 && !is_left_out(t); ++i) visit(whole.corners[3 * t + i]);
+  };
+  bool anywhere = false;
+  for_each_kept(
+      [&](std::uint32_t vertex) { anywhere |= out.vertex_of[out.surface.corners[h++]] != vertex; });
+  if (!anywhere) return out;
+  out.vertex_at.reserve(out.surface.corners.size());
+  for_each_kept([&](std::uint32_t vertex) { out.vertex_at.push_back(vertex); });
+  return out;
+}
+inline std::uint64_t value_surface_memory(std::uint64_t half_edges, bool twins,
+                                          std::uint64_t values) {
+  return half_edges * (8 + (twins ? sizeof(HalfEdge) : 0)) + half_edges / 3 * 4 + 8 * values;
+}
+
+/// What code_structure asks who decodes, who knows nothing.
+struct UnknownElements {
+  bool same(std::uint32_t, std::uint32_t) const { return false; }
+  std::vector<std::uint32_t> share(std::uint32_t count, std::vector<std::uint32_t>) const {
+    return std::vector<std::uint32_t>(count);
+  }
+};
+
+/// Codes the structure that a header announces. value_of has an entry an element: an encoder gives
+/// those that are missing as no_value, and both get which value each has.
+///
+/// `elements` are what who encodes knows: same(e, f) tells whether two elements have one value;
+/// share(count, list) takes elements that have the values so far, one each, and returns the numbers
+/// of these as SharingCoder has them, if they are listed. False: there are not as many values as
+/// announced; an encoder announces as many as there are numbers.
+template <class Coder, class Elements>
+bool code_structure(Coder& coder, const StructureHeader& header, const CodedFaces& faces,
+                    Domain domain, const Seams* beside, Elements& elements,
+                    ValueStructure& structure) {
+  std::vector<std::uint32_t>& value_of = structure.value_of;
+  if (header.missing)
+    MissingCoder().code(coder, faces, domain, value_of);
+  else
+    for (std::uint32_t& value : value_of) value = unassigned;
+  const std::uint64_t used = header.values - header.unused;
+  const bool listed = header.sharing == Sharing::listed;
+  const auto same = [&](std::uint32_t e, std::uint32_t f) { return elements.same(e, f); };
+  std::uint32_t count = 0;
+  std::vector<std::uint32_t> list;
+  if (domain == Domain::corner) {
+    if (!faces.surface.twins.empty())
+      structure.seams = SeamCoder(faces, value_of, beside).code(coder, same);
+    WedgeCoder wedges(faces, structure.seams, value_of, listed ? value_of.size() : used);
+    if (!wedges.code(coder, same)) return false;
+    count = wedges.count();
+    list = wedges.take_corners();
+  } else {
+    for (std::uint32_t e = 0; e < value_of.size(); ++e) {
+      if (value_of[e] == no_value) continue;
+      value_of[e] = count++;
+      if constexpr (Coder::encodes) list.push_back(e);
+    }
+  }
+  if (!listed && !Coder::encodes) return count == used;
+  std::vector<std::uint32_t> numbers = elements.share(count, std::move(list));
+  if (!listed) return true;
+  SharingCoder sharing;
+  if (!sharing.code(coder, numbers, used)) return false;
+  for (std::uint32_t& value : value_of)
+    if (value != no_value) value = numbers[value];
+  return Coder::encodes || sharing.count() == used;
+}
+
+/// Bytes that this takes besides what structure.value_of holds; its seams included.
+inline std::uint64_t structure_memory(const StructureHeader& header, Domain domain,
+                                      std::uint64_t elements, std::uint64_t vertices,
+                                      std::uint64_t half_edges) {
+  const std::uint64_t count = header.sharing == Sharing::listed ? elements : header.values;
+  std::uint64_t most = header.missing && domain == Domain::corner ? vertices : 0;
+  if (domain == Domain::corner)
+    most = std::max({most, SeamCoder::memory(vertices, half_edges),
+                     half_edges / 8 + 8 + WedgeCoder::memory(vertices, count)});
+  if (header.sharing == Sharing::listed)
+    most = std::max(most, half_edges / 8 + 8 + 4 * count + SharingCoder::memory(header.values));
+  return most;
+}
+
+}  // namespace clers::internal
+
+#endif

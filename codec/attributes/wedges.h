@@ -1,0 +1,129 @@
+// The values that corners share: corners at a vertex that no seam parts are a wedge and have one
+// value; a wedge may have that of an earlier one at its vertex, and so may a corner that no
+// surface has.
+//
+//        \   |   /               Wedges of the vertex in the middle: 1 above the seam, 3 below.
+//     ====1==3====   seam        Only for the second it is asked whether its value is that of the
+//        /   |   \               first: mostly they are alone.
+#ifndef CLERS_CODEC_ATTRIBUTES_WEDGES_H
+#define CLERS_CODEC_ATTRIBUTES_WEDGES_H
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "codec/attributes/coded_faces.h"
+#include "codec/attributes/missing.h"
+#include "codec/attributes/seams.h"
+#include "codec/base/no_index.h"
+#include "codec/entropy/coder.h"
+#include "topology/ids.h"
+
+namespace clers::internal {
+
+/// Gives corners that have values the numbers of these: in the order in which half-edges of the
+/// surface come to them, then corners that have none. Cost: linear.
+class WedgeCoder {
+ public:
+  /// Corners that have values are `unassigned`. There are at most so many values.
+  WedgeCoder(const CodedFaces& faces, const Seams& seams, std::span<std::uint32_t> value_of,
+             std::uint64_t most)
+      : faces_(faces),
+        seams_(seams),
+        value_of_(value_of),
+        most_(most),
+        last_(faces.vertices, no_index) {}
+  static std::uint64_t memory(std::uint64_t vertices, std::uint64_t values) {
+    return 4 * vertices + 3 * 4 * values;  // one list of all that grows
+  }
+
+  /// False: there are more values than at most. `same(c, d)` as for SeamCoder.
+  template <class Coder, class Same>
+  bool code(Coder& coder, const Same& same) {
+    for (std::uint32_t h = 0; h < faces_.surface.corners.size(); ++h) {
+      const std::uint32_t c = faces_.corner(h);
+      if (value_of_[c] != unassigned) continue;
+      const std::uint32_t value = code_value(coder, wedges_, c, same);
+      if (value == no_index) return false;
+      spread(h, value);
+    }
+    for (std::uint32_t c = 0; c < value_of_.size(); ++c) {
+      if (value_of_[c] != unassigned) continue;
+      value_of_[c] = code_value(coder, others_, c, same);
+      if (value_of_[c] == no_index) return false;
+    }
+    return true;
+  }
+
+  std::uint32_t count() const { return static_cast<std::uint32_t>(next_.size()); }
+  /// A corner of each value; only of an encoder.
+  std::vector<std::uint32_t> take_corners() { return std::move(corner_of_); }
+
+ private:
+  static constexpr unsigned most_offered = 4;  ///< so that hubs cost no more
+
+  struct SameModel {
+    BitModel bit[2][most_offered];
+    bool last = false;
+  };
+
+  /// That of corner c: one of the latest at its vertex, or a new one. no_index: one too many.
+  template <class Coder, class Same>
+  std::uint32_t code_value(Coder& coder, SameModel& model, std::uint32_t c, const Same& same) {
+    std::uint32_t& last = last_[faces_.corners[c]];
+    std::uint32_t k = last;
+    for (unsigned i = 0; k != no_index && i < most_offered; k = next_[k], ++i)
+      if (model.last = coder.bit(model.bit[model.last][i], Coder::encodes && same(corner(k), c));
+          model.last)
+        return k;
+    if (next_.size() == most_) return no_index;
+    const std::uint32_t value = count();
+    next_.push_back(last);
+    last = value;
+    if constexpr (Coder::encodes) corner_of_.push_back(c);
+    return value;
+  }
+  std::uint32_t corner(std::uint32_t value) const {
+    return corner_of_.empty() ? 0 : corner_of_[value];
+  }
+
+  /// Gives a value to all corners of the wedge of half-edge `first`.
+  void spread(std::uint32_t first, std::uint32_t value) {
+    value_of_[faces_.corner(first)] = value;
+    const std::span<const HalfEdge> twins = faces_.surface.twins;
+    if (twins.empty()) return;
+    // Where only the other end of an edge is known to be no seam, this one may have no value.
+    const auto go_to = [&](HalfEdge h) {
+      std::uint32_t& known = value_of_[faces_.corner(h.index())];
+      if (known == no_value) return false;
+      known = value;
+      return true;
+    };
+    const auto open = [&](HalfEdge side) { return twins[side.index()] && !seams_[side.index()]; };
+    HalfEdge h(first);
+    while (open(lprev(h))) {  // counterclockwise
+      h = twins[lprev(h).index()];
+      if (h.index() == first) return;
+      if (!go_to(h)) break;
+    }
+    for (h = HalfEdge(first); open(h);) {
+      h = lnext(twins[h.index()]);
+      if (!go_to(h)) break;
+    }
+  }
+
+  const CodedFaces& faces_;
+  const Seams& seams_;
+  const std::span<std::uint32_t> value_of_;
+  const std::uint64_t most_;
+  std::vector<std::uint32_t> last_;  ///< value of each vertex, no_index: none yet
+  std::vector<std::uint32_t> next_;  ///< of each value: the one before at its vertex
+  std::vector<std::uint32_t> corner_of_;
+  SameModel wedges_, others_;
+};
+
+}  // namespace clers::internal
+
+#endif

@@ -1,0 +1,112 @@
+// Directions as two integers: points of a grid on an octahedron, unfolded into a square (Meyer et
+// al., On floating-point normal vectors, 2010).
+//
+//      +-----+-----+        The upper half, z >= 0, is the diamond in the middle; the triangles of the
+//      |   / | \   |        lower one are folded out around it. Points of the grid have
+//      | /   |z  \ |        |x| + |y| + |z| = S, and the square 2 S + 1 of them along a side. A
+//      +-----+-----+ x      point below on x = 0 or y = 0 is at two places of the square's border,
+//      | \   |   / |        and has the one with the greater integers.
+//      |   \ | /   |
+//      +-----+-----+        With b bits S = 2^(b - 1) - 1: the codes of Draco.
+#ifndef CLERS_CODEC_NUMBERS_OCTAHEDRAL_H
+#define CLERS_CODEC_NUMBERS_OCTAHEDRAL_H
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+
+#include "codec/base/direction.h"
+
+namespace clers::internal {
+
+/// A point of the grid: the sum of its magnitudes is the S of that grid.
+struct OctahedralPoint {
+  std::array<std::int32_t, 3> at = {};
+
+  std::int32_t operator[](std::size_t i) const { return at[i]; }
+  std::int32_t& operator[](std::size_t i) { return at[i]; }
+  friend bool operator==(const OctahedralPoint&, const OctahedralPoint&) = default;
+};
+
+/// Its bits are so few that sums of squares are doubles, exactly, and that points are still apart
+/// once they are rounded to floats.
+class OctahedralGrid {
+ public:
+  /// Precondition: min_direction_bits <= bits <= max_direction_bits (precision.h).
+  explicit OctahedralGrid(unsigned bits) : s_((std::int32_t(1) << (bits - 1)) - 1) {}
+
+  std::int32_t size() const { return s_; }  ///< S
+  /// Both integers are in 0 .. top().
+  std::uint64_t top() const { return 2 * static_cast<std::uint64_t>(s_); }
+
+  /// The point at a place of the square, of which each coordinate is in -S .. S.
+  OctahedralPoint fold(std::int32_t x, std::int32_t y) const {
+    const std::int32_t z = s_ - std::abs(x) - std::abs(y);
+    if (z >= 0) return {{x, y, z}};
+    const std::int32_t dx = s_ - std::abs(y), dy = s_ - std::abs(x);
+    return {{x < 0 ? -dx : dx, y < 0 ? -dy : dy, z}};
+  }
+  /// Undoes fold: the place of a point.
+  std::array<std::int32_t, 2> unfold(const OctahedralPoint& p) const {
+    if (p[2] >= 0) return {p[0], p[1]};
+    const std::int32_t x = s_ - std::abs(p[1]), y = s_ - std::abs(p[0]);
+    return {p[0] < 0 ? -x : x, p[1] < 0 ? -y : y};
+  }
+  /// The point of two integers, and back.
+  OctahedralPoint point(std::int64_t u, std::int64_t v) const {
+    return fold(static_cast<std::int32_t>(u) - s_, static_cast<std::int32_t>(v) - s_);
+  }
+  std::array<std::int32_t, 2> integers(const OctahedralPoint& p) const {
+    const auto [x, y] = unfold(p);
+    return {x + s_, y + s_};
+  }
+
+  /// A vector scaled to the octahedron: the sum of its magnitudes is S. Precondition: that sum is a
+  /// normal number, far from the largest.
+  Vector3 project(const Vector3& v) const {
+    const double sum = std::fabs(v[0]) + std::fabs(v[1]) + std::fabs(v[2]);
+    return {v[0] / sum * s_, v[1] / sum * s_, v[2] / sum * s_};
+  }
+
+  /// The point with the least angle to a vector that project() gave, of those around it: the first
+  /// of several, from the lesser magnitudes of x and y.
+  OctahedralPoint nearest(const Vector3& on) const {
+    const Vector3 magnitude = {std::fabs(on[0]), std::fabs(on[1]), std::fabs(on[2])};
+    const auto x = static_cast<std::int32_t>(magnitude[0]),
+               y = static_cast<std::int32_t>(magnitude[1]);
+    OctahedralPoint best;
+    double most = -1;
+    for (const std::int32_t i : {0, 1})
+      for (const std::int32_t j : {0, 1}) {
+        const OctahedralPoint p = {{x + i, y + j, s_ - (x + i) - (y + j)}};
+        if (p[2] < 0) continue;
+        const double along =
+            (magnitude[0] * p[0] + magnitude[1] * p[1] + magnitude[2] * p[2]) / length(p);
+        if (!(along > most)) continue;
+        most = along;
+        best = p;
+      }
+    for (std::size_t c = 0; c < 3; ++c)
+      if (on[c] < 0) best[c] = -best[c];
+    return best;
+  }
+
+  /// The unit vector of a point: two rounded operations a component.
+  static Vector3 direction(const OctahedralPoint& p) {
+    const double l = length(p);
+    return {p[0] / l, p[1] / l, p[2] / l};
+  }
+
+ private:
+  static double length(const OctahedralPoint& p) {
+    const double x = p[0], y = p[1], z = p[2];
+    return std::sqrt(x * x + y * y + z * z);
+  }
+
+  std::int32_t s_;
+};
+
+}  // namespace clers::internal
+
+#endif
