@@ -179,9 +179,12 @@ class CommandLine {
             "  clers encode bunny.ply\n"
             "  clers encode -9 a.obj b.off c.stl -o packed/\n"
             "  clers encode --positions q14 --attribute normal=q10 scan.ply\n"
+            "  clers encode scene.glb -o small.glb     a glTF with an extension\n"
             "  curl -s https://example.org/m.ply | clers encode --from ply - >m.clers");
     inputs(encode, "mesh files: ply, obj, off, stl; scenes: glb, gltf");
-    output(encode, "the .clers file, or a directory for several");
+    output(
+        encode,
+        "the .clers file, or a .glb or .gltf with .clers files in it; or a directory for several");
     from(encode);
     CLI::Option* digits = encode.add_flag("-1{1},-2{2},-3{3},-4{4},-5{5},-6{6},-7{7},-8{8},-9{9}",
                                           digit_, "the level, as --level");

@@ -101,6 +101,27 @@ const char* suffix_if_known(const Options& options) {
   return options.to ? extension(*options.to) : nullptr;
 }
 
+/// Notes of what comes back otherwise than it was.
+void note_changes(Job& job, std::span<const Warning> warnings, std::span<const MeshInfo> report) {
+  for (const Warning& warning : warnings)
+    job.note(job.name(),
+             (report.size() > 1 ? fmt::format("mesh {}: ", warning.mesh) : "") + warning.what,
+             false);
+  for (const FoundError& found : largest_errors(report)) job.note(job.name(), off_by(found), true);
+}
+
+/// A scene whose meshes are .clers files, for an output that is called so.
+Outcome<Done> encode_within(const Options& options, Job& job, const SceneFile& file,
+                            gltf::Form form, const std::string& output) {
+  EncodeOptions how = options.encode;
+  how.progress = {};
+  auto written = gltf::write_compressed(file.scene, file.orders, how, options_for(form, output));
+  if (!written) return stop(job.name(), written.error());
+  note_changes(job, written->warnings, written->report);
+  if (auto ok = save_beside(options, output, written->written.files); !ok) return ok;
+  return job.save(output, written->written.bytes);
+}
+
 Outcome<Done> encode_one(const Options& options, Job& job, const Destination& to) {
   if (const auto format = job.mesh_format(); !format) return Failure{format.error()};
   const Outcome<std::string> output = to.of(job.input(), clers_suffix, io::Encoding::binary);
@@ -114,19 +135,18 @@ Outcome<Done> encode_one(const Options& options, Job& job, const Destination& to
                             job.name(), lost.what));
   job.note(job.name(), file->notes);
   job.progress().next();
+  if (const auto format = format_of_path(*output); format && is_scene(*format)) {
+    if (!gltf::form_of(file->scene))
+      return stop(Exit::usage, *output + ": only a scene can become a glTF");
+    return encode_within(options, job, *file, std::get<gltf::Form>(*format), *output);
+  }
   EncodeOptions how = options.encode;
   how.progress = job.progress().callback();
   const auto encoded =
       clers::encode(file->scene, how,
                     how.order == Order::keep ? std::span<const Order>() : std::span(file->orders));
   if (!encoded) return stop(job.name(), encoded.error());
-  for (const Warning& warning : encoded->warnings)
-    job.note(job.name(),
-             (file->scene.meshes.size() > 1 ? fmt::format("mesh {}: ", warning.mesh) : "") +
-                 warning.what,
-             false);
-  for (const FoundError& found : largest_errors(encoded->report))
-    job.note(job.name(), off_by(found), true);
+  note_changes(job, encoded->warnings, encoded->report);
   return job.save(*output, encoded->bytes);
 }
 

@@ -52,13 +52,17 @@ std::string besides_meshes(const Scene& scene) {
   return list(parts, "and");
 }
 
-Outcome<gltf::Written> write_scene(const Scene& scene, gltf::Form form, const std::string& path) {
+gltf::WriteOptions options_for(gltf::Form form, const std::string& path) {
   gltf::WriteOptions how;
   how.form = form;
   how.embed = path == "-";
   if (form == gltf::Form::gltf && path != "-")
     how.buffer_name = fs::path(path).stem().string() + ".bin";
-  Expected<gltf::Written> written = gltf::write(scene, how);
+  return how;
+}
+
+Outcome<gltf::Written> write_scene(const Scene& scene, gltf::Form form, const std::string& path) {
+  Expected<gltf::Written> written = gltf::write(scene, options_for(form, path));
   if (!written && written.error().code == ErrorCode::unsupported)
     return stop(Exit::usage, output_name(path) +
                                  ": what was encoded is no glTF scene; --to ply, obj, off or stl "

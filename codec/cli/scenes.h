@@ -27,8 +27,10 @@ Outcome<SceneFile> parse_scene(const std::string& path, std::span<const std::byt
 /// is nothing.
 std::string besides_meshes(const Scene& scene);
 
-/// The files of a scene that is a glTF. `path`: where it goes, "-" for standard output, which takes
-/// one file.
+/// How a glTF at a path is written: standard output takes one file.
+gltf::WriteOptions options_for(gltf::Form form, const std::string& path);
+
+/// The files of a scene that is a glTF. `path`: where it goes.
 Outcome<gltf::Written> write_scene(const Scene& scene, gltf::Form form, const std::string& path);
 
 /// Where a file that a scene at `path` names goes.

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Compares two glTFs, of which the second came of the first by clers: is anything lost?
-usage: audit.py [--error NAME=E]... BEFORE AFTER
-       audit.py [--error NAME=E]... --folders BEFORE AFTER    each glTF of one folder with its namesake
+usage: audit.py [--error NAME=E]... [--views] BEFORE AFTER
+       audit.py [--error NAME=E]... [--views] --folders BEFORE AFTER    each glTF of one folder with its namesake
   --error  values of attributes of this name may be off by E; vertices are in one order then
+  --views  accessors may have other views
 
 Shares no code with the reader that it audits: JSON and struct alone. All of the JSON must be the same token by
 token, numbers by their text, but for buffers and for where things are in them; pictures and bytes that no
@@ -137,6 +138,10 @@ def close(a, b, code, error):
     xs, ys = struct.unpack("<%d%s" % (len(a) // struct.calcsize("<" + code), code), a), \
         struct.unpack("<%d%s" % (len(b) // struct.calcsize("<" + code), code), b)
     return all(abs(x - y) <= error for x, y in zip(xs, ys))
+
+
+def without(member, *keys):
+    return {k: v for k, v in member.items() if k not in keys}
 
 
 def same_json(a, b, path, free):
@@ -292,13 +297,22 @@ def bounds_hold(gltf, i):
     return True
 
 
-def audit(before_path, after_path, errors):
+def audit(before_path, after_path, errors, views):
     before, after = Gltf(before_path), Gltf(after_path)
     # Bounds of indices follow the numbers of vertices, and all do where values may be off.
     free = {i for _, p in primitives(before) for i in index_accessors(p)}
     if errors:
         free = set(range(len(before.json.get("accessors", []))))
+    if views:
+        for gltf in (before, after):
+            gltf.all = gltf.json
+            gltf.json = without(gltf.json, "bufferViews")
+            if "accessors" in gltf.json:
+                gltf.json["accessors"] = [without(a, "bufferView", "byteOffset") for a in gltf.json["accessors"]]
     same_json(before.json, after.json, "", {".accessors[%d]" % i for i in free})
+    if views:
+        for gltf in (before, after):
+            gltf.json = gltf.all
     for i in free:
         a = before.json["accessors"][i]
         if "min" in a or "max" in a:
@@ -327,12 +341,14 @@ def audit(before_path, after_path, errors):
 
 
 def main(arguments):
-    errors, folders, paths = {}, False, []
+    errors, folders, views, paths = {}, False, False, []
     while arguments:
         a = arguments.pop(0)
         if a == "--error":
             name, _, value = arguments.pop(0).partition("=")
             errors[name] = float(value)
+        elif a == "--views":
+            views = True
         elif a == "--folders":
             folders = True
         else:
@@ -347,7 +363,7 @@ def main(arguments):
     bad = 0
     for before, after in pairs:
         try:
-            audit(before, after, errors)
+            audit(before, after, errors, views)
         except (Different, OSError) as why:
             print("%s: %s" % (after, why))
             bad += 1

@@ -30,6 +30,18 @@ for ((first = 0; first < count; first += 200)); do
     "$clers" verify -q "$scene" "packed/$(basename "$scene" .glb).clers" || failed=1
   done
 
+  # As glTFs with the extension.
+  rm -rf some within packed back
+  mkdir some within back
+  for scene in $(scenes given | sort | head -n 40); do
+    "$clers" encode -q "$scene" -o "within/${scene##*/}" || failed=1
+    cp "$scene" some
+  done
+  cp given/*.bin given/*.png some
+  scenes within | xargs "$clers" encode -q -o packed/ || failed=1
+  "$clers" decode -q packed/*.clers -o back/ || failed=1
+  "$here/audit.py" --views --folders some back || failed=1
+
   rm -rf damaged packed back
   mkdir back
   "$here/make_gltf.py" --mutate damaged 200 $first
