@@ -213,8 +213,9 @@ void position_decode(benchmark::State& state) {
   const AttributeHeader header = must(read_attribute_header(bytes, 0));
   const std::uint32_t count = coded.mesh.vertex_count;
   for (auto _ : state)
-    benchmark::DoNotOptimize(must(finish_attribute(
-        bytes, 0, header, count, must(begin_attribute(bytes, 0, header, count)), {coded.surface()})));
+    benchmark::DoNotOptimize(
+        must(finish_attribute(bytes, 0, header, count,
+                              must(begin_attribute(bytes, 0, header, count)), {coded.surface()})));
   count_items(state, coded.mesh.face_count());
 }
 BENCHMARK(position_decode)->Apply(shapes);

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "codec/attributes/charts.h"
 #include "codec/attributes/integer_planes.h"
 #include "codec/attributes/mixed_coder.h"
 #include "codec/attributes/named_values_decoder.h"
@@ -87,6 +88,8 @@ Expected<Done> finish_integers(const AttributeHeader& header, const Numbers& num
                   "a coder of normals for numbers that are none, or without positions");
     return decode_normals<Int>(coded, at, numbers, along, lattice.rows);
   }
+  if (header.coder == Coder::charts)
+    return decode_charts<Int>(coded, at, numbers.axes, along, lattice.rows);
   const CodedSurface& surface = along.surface;
   if (header.coder == Coder::mixed) return decode_mixed(coded, at, surface, lattice);
   if (header.coder == Coder::sized) return decode_sized_positions(coded, at, surface, lattice);
@@ -206,10 +209,11 @@ AttributeMemory decoding_memory(std::span<const std::byte> bytes, const Attribut
   const std::uint64_t coding =
       header.coder == Coder::named
           ? named_values_memory(count, header.attribute.components, surface.vertices)
+      : header.coder == Coder::normals ? normals_memory(count, surface.positions)
+      : header.coder == Coder::charts  ? charts_memory(count, surface.positions)
       : header.coder == Coder::sized
           ? sized_positions_memory(integers_of(bytes, header), count, surface.triangles)
-      : header.coder == Coder::normals ? normals_memory(count, surface.vertices)
-                                       : mixed_memory(count, surface.triangles);
+          : mixed_memory(count, surface.triangles);
   return {numbers, 0, integers + coding};
 }
 

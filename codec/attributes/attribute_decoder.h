@@ -55,6 +55,7 @@ Expected<Attribute> finish_attribute(std::span<const std::byte> bytes, std::uint
 /// What a surface has.
 struct SurfaceSize {
   std::uint64_t vertices = 0, triangles = 0;
+  std::uint64_t positions = 0;  ///< vertices of the mesh
 };
 
 /// Bytes that this takes, at most.

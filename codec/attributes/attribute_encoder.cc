@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "codec/attributes/attribute_format.h"
+#include "codec/attributes/charts.h"
 #include "codec/attributes/integer_planes.h"
 #include "codec/attributes/mixed_coder.h"
 #include "codec/attributes/named_values_encoder.h"
@@ -65,10 +66,10 @@ class AttributeEncoder {
             ? put_integers(attribute_.data, *plan.integers_of, plan.systems)
             : put_into_systems(attribute_.data, attribute_.scalar, plan.systems, level_);
     header_.narrow = numbered.numbers.narrow();
+    if (level_ >= 5 && may_be_normals(numbered.numbers, along_)) normals(plan, numbered);
     const auto ok =
         header_.narrow ? integers(numbered, numbered.narrow) : integers(numbered, numbered.wide);
     if (!ok) return Failure{ok.error()};
-    if (plan.systems.empty() && level_ >= 5) lines();
     if (plan.systems.empty() && level_ >= 5)
       if (auto done = words(); !done) return Failure{done.error()};
     best_.info.bytes = best_.bytes.size();
@@ -113,8 +114,8 @@ class AttributeEncoder {
     if (!is_position && level_ >= 5)
       take(Coder::named, encode_named_values(lattice, surface_of(header_, lattice.count(), along_),
                                              header_.coded_domain()));
-    if (!is_position && level_ >= 5 && of_vertices() && may_be_normals(numbered.numbers, along_))
-      take(Coder::normals, encode_normals<Int>(rows, numbered.numbers, along_));
+    if (!is_position && level_ >= 5 && of_vertices() && attribute_.components == 2)
+      take(Coder::charts, encode_charts(lattice, along_, level_));
     if (is_position && level_ == 9) take(Coder::mixed, encode_mixed(surface_, lattice));
     if (is_position && level_ >= 7)
       take(Coder::sized, encode_sized_positions(surface_, lattice, VisitOrder::parallelograms));
@@ -133,25 +134,33 @@ class AttributeEncoder {
     // Positions that repeat themselves may do so in single components, which that coder looks for.
     if (is_position && best_.info.coder == name(Coder::planes)) {
       ranks_to_integers(lattice);
-      take(Coder::named, encode_named_values(lattice, surface_, Domain::vertex));
+      take(Coder::named, encode_named_values(lattice, along_, Domain::vertex));
     }
     return Done{};
   }
 
-  /// Normals in numbers that are nearer to each other than those that other coders do best with.
-  void lines() {
-    if (is_position_ || !of_vertices() || along_.position == nullptr ||
-        attribute_.components != 3 || !is_float(attribute_.scalar))
-      return;
-    for (NumberedValues& numbered :
-         number_for_lines(attribute_.data, attribute_.scalar, 3, level_)) {
-      if (!may_be_normals(numbered.numbers, along_)) continue;
+  /// Tries the coder of normals, with the numbers given, or with those that it predicts best.
+  void normals(const AttributePlan& plan, const NumberedValues& given) {
+    if (is_position_ || !of_vertices()) return;
+    const auto take = [&](const NumberedValues& numbered) {
       header_.narrow = numbered.numbers.narrow();
-      const Bytes coded =
-          header_.narrow ? encode_normals<std::int32_t>(numbered.narrow, numbered.numbers, along_)
-                         : encode_normals<std::int64_t>(numbered.wide, numbered.numbers, along_);
-      consider(Coder::normals, Predictor::none, numbered.bytes, coded, in_words(numbered.numbers));
+      const auto try_rows = [&](const auto& rows) {
+        const std::span all(rows.data(), rows.size());
+        if (!look_like_normals(all, numbered.numbers, along_)) return false;
+        consider(Coder::normals, Predictor::none, numbered.bytes,
+                 encode_normals(all, numbered.numbers, along_), in_words(numbered.numbers));
+        return true;
+      };
+      return header_.narrow ? try_rows(numbered.narrow) : try_rows(numbered.wide);
+    };
+    if (!plan.systems.empty()) {
+      take(given);
+    } else {
+      for (const NumberedValues& numbered :
+           number_for_lines(attribute_.data, attribute_.scalar, attribute_.components, level_))
+        if (!take(numbered)) break;
     }
+    header_.narrow = given.numbers.narrow();
   }
 
   Expected<Done> words() {
@@ -203,7 +212,7 @@ Expected<EncodedAttribute> encode_attribute(const Attribute& attribute,
     ValueArrays arrays;
     if (header.any) arrays = make_value_surface(faces, domain, way.structure, values.value_count());
     const ValueSurface along =
-        header.any ? arrays.view(position) : ValueSurface{faces.surface, {}, {}, position};
+        header.any ? arrays.view(position) : ValueSurface{faces.surface, {}, position};
     auto coded = encode_attribute(values, header, along, level, plan);
     if (!coded) return coded;
     coded->info.count = header.indexed ? header.distinct : elements;

@@ -31,13 +31,14 @@ enum class Coder : std::uint8_t {
   sized = 3,    ///< positions by contexts of sizes (levels 5 to 9)
   mixed = 4,    ///< positions by experts, mixed (level 9)
   named = 5,    ///< anything else by contexts of sizes (levels 5 to 9)
-  normals = 6,  ///< normals by a formula of the positions (levels 5 to 9)
+  charts = 6,   ///< texture coordinates by the shape of the surface (levels 5 to 9)
+  normals = 7,  ///< directions by formulas of the geometry (levels 5 to 9)
 };
-inline constexpr unsigned coder_count = 7;
+inline constexpr unsigned coder_count = 8;
 
 constexpr const char* name(Coder c) {
   constexpr const char* names[coder_count] = {"words", "planes", "ordered", "sized",
-                                              "mixed", "named",  "normals"};
+                                              "mixed", "named",  "charts",  "normals"};
   return names[static_cast<unsigned>(c)];
 }
 
@@ -118,12 +119,12 @@ inline AttributeInfo info_of(const AttributeHeader& header) {
 
 /// The surface that so many values are predicted along: where it has the corners of all values, or
 /// their vertices.
-inline CodedSurface surface_of(const AttributeHeader& header, std::size_t count,
+inline ValueSurface surface_of(const AttributeHeader& header, std::size_t count,
                                const ValueSurface& along) {
   const Domain domain = header.coded_domain();
   const bool on_surface = domain == Domain::vertex ||
                           (domain == Domain::corner && along.surface.corners.size() == count);
-  return on_surface ? along.surface : CodedSurface{};
+  return on_surface ? along : ValueSurface{};
 }
 
 inline void put_attribute_header(Bytes& out, const AttributeHeader& header) {
@@ -175,17 +176,24 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
     return fail(ErrorCode::invalid, Place::byte, at, std::move(fault));
   if (scalar >= scalar_count) return invalid("scalar type", scalar);
   if (components == 0) return invalid("components", components);
-  if (coder >= coder_count) return invalid("coder", coder);
+  if (coder >= coder_count || coder == 6) return invalid("coder", coder);
   const bool for_positions = coder == static_cast<std::uint32_t>(Coder::sized) ||
                              coder == static_cast<std::uint32_t>(Coder::mixed);
   if (for_positions && (components != 3 || header.structure.any ||
                         domain != static_cast<std::uint32_t>(Domain::vertex)))
     return fail(ErrorCode::invalid, Place::byte, at,
                 "a coder of positions, which must be three components of vertices");
+  const bool of_corners = domain == static_cast<std::uint32_t>(Domain::corner);
   if (coder == static_cast<std::uint32_t>(Coder::normals) &&
-      (components != 3 || domain == static_cast<std::uint32_t>(Domain::face)))
+      (components != 3 || domain == static_cast<std::uint32_t>(Domain::face) ||
+       (of_corners && !header.structure.any)))
     return fail(ErrorCode::invalid, Place::byte, at,
-                "a coder of normals, which must be three components of vertices or corners");
+                "a coder of normals, which must be three components along a surface");
+  if (coder == static_cast<std::uint32_t>(Coder::charts) &&
+      (components != 2 || domain == static_cast<std::uint32_t>(Domain::face) ||
+       (of_corners && !header.structure.any)))
+    return fail(ErrorCode::invalid, Place::byte, at,
+                "a coder of charts, which must be two components along a surface");
   if (changed && !(header.error > 0 && std::isfinite(header.error)))
     return fail(ErrorCode::invalid, Place::byte, at, "an attribute with an error that is none");
   if (by_angle && (!changed || components != 3))

@@ -31,7 +31,7 @@ Expected<Done> decode_charts(std::span<const std::byte> bytes, std::uint64_t at,
 
 std::uint64_t charts_memory(std::uint64_t values, std::uint64_t vertices) {
   return ChartsModel<std::int64_t>::memory(values) + ValueRepeats<std::int64_t>::memory(values) +
-         visit_order_memory(values) + places_memory(vertices);
+         visit_order_memory(values) + places_memory(vertices) + LastAtVertex::memory(vertices);
 }
 
 template Expected<Done> decode_charts(std::span<const std::byte>, std::uint64_t,

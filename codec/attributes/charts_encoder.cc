@@ -83,6 +83,7 @@ Bytes encode_charts(const Lattice<Int>& values, const ValueSurface& along, int l
       consider_with([&](ChartsOptions& o) { o.likeness = likeness; });
     if (level >= 7) consider_with([](ChartsOptions& o) { o.by_parallelograms = true; });
   }
+  if (!along.vertex_of.empty()) consider_with([](ChartsOptions& o) { o.same = true; });
   consider_with([](ChartsOptions& o) { o.fractions = true; });
   return best;
 }

@@ -15,6 +15,7 @@
 #include "codec/attributes/axis_steps.h"
 #include "codec/attributes/charts_apart.h"
 #include "codec/attributes/charts_options.h"
+#include "codec/attributes/last_at_vertex.h"
 #include "codec/attributes/parallelograms.h"
 #include "codec/attributes/residual_sizes.h"
 #include "codec/attributes/unfolding.h"
@@ -57,6 +58,7 @@ class ChartsModel {
     for (unsigned c = 0; c < 2; ++c)
       beside_[c] =
           static_cast<std::int64_t>((std::uint64_t(axes[1 - c].scale) << 8) / axes[c].scale);
+    if (options.same) last_at_vertex_.emplace(along.vertex_of);
     if (options.likeness && !surface_.twins.empty())
       repeats_.emplace(*options.likeness, rows.data(), wedges_.size(), surface_);
   }
@@ -127,6 +129,8 @@ class ChartsModel {
       if (const HalfEdge over = twin[side]) [[likely]]
         ee = corner[previous_in(over.index())];
     }
+    if (last_at_vertex_ && code_same(coder, v)) [[unlikely]]
+      return;
     Beside beside[3];
     unsigned n = 0;
     const auto add = [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) CLERS_INLINE_LAMBDA {
@@ -278,6 +282,7 @@ class ChartsModel {
     const Int* row = rows_ + 2 * std::size_t(v);
     wedges_[v] = {{row[0], row[1]}, place_of(v), size, shape, parallelogram};
     last_ = v;
+    if (last_at_vertex_) last_at_vertex_->coded(v);
     if (repeats_ && valid_) [[unlikely]] {
       repeats_->known(v, guessed_);
       guessed_ = ValueRepeats<Int>::nobody;
@@ -289,6 +294,21 @@ class ChartsModel {
     std::array<std::uint8_t, 2> size = like.size;
     if (size[0] == 0) size = {1, 1};
     remember(v, size, like.shape, like.parallelogram);
+  }
+
+  /// v as the value coded last at its vertex, if there is one and it is; false if not.
+  template <class Coder>
+  CLERS_NEVER_INLINE bool code_same(Coder& coder, std::uint32_t v) {
+    const std::uint32_t u = (*last_at_vertex_)(v);
+    if (u == LastAtVertex::none) return false;
+    Int *row = rows_ + 2 * std::size_t(v), *same = rows_ + 2 * std::size_t(u);
+    const bool is_same =
+        coder.flag(2, same_[last_same_], Coder::encodes && row[0] == same[0] && row[1] == same[1]);
+    last_same_ = (2 * last_same_ + is_same) % 4;
+    if (!is_same) return false;
+    std::copy_n(same, 2, row);
+    remember(v, wedges_[u].size, wedges_[u].shape, wedges_[u].parallelogram);
+    return true;
   }
 
   /// v as a repetition of a value elsewhere, if it is about one; false if not.
@@ -405,8 +425,9 @@ class ChartsModel {
   UsualSize usual_[3][2];  ///< first, second and third values of charts
   std::optional<ValueRepeats<Int>> repeats_;
   std::uint32_t guessed_ = ValueRepeats<Int>::nobody;
-  BitModel hits_[8], off_image_[2], sides_[4];
-  unsigned last_hits_ = 7, last_sides_ = 0;
+  std::optional<LastAtVertex> last_at_vertex_;
+  BitModel hits_[8], off_image_[2], sides_[4], same_[4];
+  unsigned last_hits_ = 7, last_sides_ = 0, last_same_ = 0;
   std::uint32_t last_ = 0;
   bool valid_ = true;
 };

@@ -21,11 +21,11 @@
 #include <span>
 #include <vector>
 
+#include "codec/attributes/around_vertex.h"
 #include "codec/attributes/symmetry.h"
 #include "codec/base/portable.h"
 #include "codec/connectivity/coded_surface.h"
 #include "codec/numbers/lattice.h"
-#include "topology/ids.h"
 
 namespace clers::internal {
 
@@ -96,8 +96,6 @@ class Mirror {
   static constexpr std::uint32_t nothing = 0xfffffffeu, unknown = 0xffffffffu;
   static constexpr Int nearly = 2;         // how far off a partner may be that was guessed
   static constexpr std::size_t reach = 8;  // slots from that of a place on, for all who are there
-  static constexpr unsigned most_steps = 16;  // around a vertex, in either direction
-  static constexpr unsigned most_around = 2 * most_steps + 1;
 
   static std::uint64_t slots_for(std::uint64_t vertices) {
     return std::bit_ceil(std::max<std::uint64_t>(2 * vertices, 2));
@@ -213,11 +211,11 @@ class Mirror {
     std::uint32_t found[most_around];
     std::size_t count = 0;
     if (q < nothing)
-      around(q, [&](std::uint32_t w) {
+      look_around(surface_, q, [&](std::uint32_t w) {
         if (is_free(w, by_q)) found[count++] = w;
       });
     if (p < nothing && (p != q || by_p != by_q))
-      around(p, [&](std::uint32_t w) {
+      look_around(surface_, p, [&](std::uint32_t w) {
         if (!is_free(w, by_p)) return;
         std::uint32_t* const same =
             by_p == by_q ? std::find(found, found + count, w) : found + count;
@@ -227,28 +225,6 @@ class Mirror {
       });
     for (std::size_t i = 0; i < count; ++i) consider(found[i], by_q, 4);
     return best;
-  }
-
-  /// Calls look(w) for the vertices around v, of which there may be more.
-  template <class Look>
-  CLERS_ALWAYS_INLINE void around(std::uint32_t v, const Look& look) const {
-    if (!surface_.has(v)) return;
-    const auto at = [&](HalfEdge h) { return surface_.corners[h.index()]; };
-    HalfEdge first = half_edge(Face(surface_.introduced_by[v]), 0);
-    while (at(first) != v) first = lnext(first);
-    look(at(lnext(first)));
-    HalfEdge h = first;
-    for (unsigned i = 0; i < most_steps; ++i) {
-      look(at(lprev(h)));
-      h = surface_.twins[lprev(h).index()];
-      if (h == first) return;
-      if (!h) break;
-    }
-    h = surface_.twins[first.index()];
-    for (unsigned i = 0; i < most_steps && h; ++i) {
-      look(at(lprev(h)));
-      h = surface_.twins[lnext(h).index()];
-    }
   }
 
   CodedSurface surface_;

@@ -46,15 +46,21 @@ bool are_unit_vectors(const std::vector<Vector3>& vectors) {
   return 16 * near >= 15 * vectors.size();
 }
 
-/// Whether most normals are on the other side of what a formula gives.
-bool are_inward(const std::vector<Vector3>& vectors, const FormulaNormals& formula) {
-  std::size_t inward = 0, outward = 0;
+/// How many vectors are beside what a formula gives, by less than 25 degrees, on the same side and
+/// on the other.
+struct Sides {
+  std::size_t outward = 0, inward = 0;
+};
+Sides sides_of(const std::vector<Vector3>& vectors, const FormulaNormals& formula) {
+  Sides sides;
   for (std::uint32_t v = 0; v < vectors.size(); ++v) {
     Vector3 normal;
     if (!formula.at(v, normal)) continue;
-    ++(dot(normal, vectors[v]) < 0 ? inward : outward);
+    const double along = dot(normal, vectors[v]);
+    if (along * along < dot(vectors[v], vectors[v]) * .82) continue;
+    if (along != 0) ++(along < 0 ? sides.inward : sides.outward);
   }
-  return inward > outward;
+  return sides;
 }
 
 template <class Int>
@@ -66,12 +72,12 @@ class ModelChoice {
         along_(along),
         vectors_(vectors_of(rows, numbers)) {
     model_.unit_vectors = numbers.octahedral_bits() == 0 && are_unit_vectors(vectors_);
+    const Sides sides = sides_of(vectors_, FormulaNormals(along, vectors_.size(), {}));
+    model_.formula.inward = sides.inward > sides.outward;
   }
 
   /// What takes least.
   NormalModel run() {
-    model_.formula.inward =
-        are_inward(vectors_, FormulaNormals(along_, vectors_.size(), model_.formula));
     for (const NormalSum around : {NormalSum::value, NormalSum::vertex, NormalSum::place}) {
       if (around == NormalSum::vertex && along_.vertex_of.empty()) continue;
       if (around == NormalSum::place && !FormulaNormals::has_places(*along_.position)) continue;
@@ -128,6 +134,17 @@ Bytes encode_normals(std::span<const Int> rows, const Numbers& numbers, const Va
   return bytes;
 }
 
+template <class Int>
+bool look_like_normals(std::span<const Int> rows, const Numbers& numbers,
+                       const ValueSurface& along) {
+  const DoublePrecision doubles;
+  const std::vector<Vector3> vectors = vectors_of(rows, numbers);
+  const Sides sides = sides_of(vectors, FormulaNormals(along, vectors.size(), {}));
+  return 4 * (sides.inward + sides.outward) >= vectors.size();
+}
+
+template bool look_like_normals(std::span<const std::int32_t>, const Numbers&, const ValueSurface&);
+template bool look_like_normals(std::span<const std::int64_t>, const Numbers&, const ValueSurface&);
 template Bytes encode_normals(std::span<const std::int32_t>, const Numbers&, const ValueSurface&);
 template Bytes encode_normals(std::span<const std::int64_t>, const Numbers&, const ValueSurface&);
 

@@ -17,6 +17,7 @@
 #include "codec/attributes/copies.h"
 #include "codec/attributes/mirror.h"
 #include "codec/attributes/parallelograms.h"
+#include "codec/attributes/repetition.h"
 #include "codec/attributes/residual_sizes.h"
 #include "codec/attributes/sized_positions.h"
 #include "codec/attributes/symmetry.h"
@@ -36,6 +37,7 @@ struct Guides {
   std::optional<Symmetry> symmetry;
   bool copies = false;
   Originals originals;  ///< if there are copies
+  Repetition repeats = Repetition::none;
 };
 
 /// Codes the positions along a surface. Int is that of the rows; Triple what geometry is computed
@@ -66,7 +68,9 @@ class SizedModel {
         rows_(positions.rows.data()),
         count_(static_cast<std::uint32_t>(positions.count())),
         steps_(positions.axes),
-        records_(count_) {
+        records_(count_),
+        repeated_(guides.repeats, rows_, count_, surface),
+        repeats_(repeated_.any()) {
     if (guides.copies) copies_.emplace(guides.originals, rows_, positions.axes);
     if (guides.symmetry) {
       mirror_.emplace(*guides.symmetry, rows_, count_, surface);
@@ -203,6 +207,21 @@ class SizedModel {
     }
     const ResidualContext in_x = steps_.context(x, 0, plane), in_y = steps_.context(y, 0, plane),
                           in_z = steps_.context(z, 1, across);
+    if (repeats_) [[unlikely]] {
+      const unsigned done = repeated_.code(
+          {v, a, b, c, known(rd) ? d : v, known(re) ? e : v},
+          {start.at[0], start.at[1], start.at[2]},
+          [&](unsigned i, BitModel& model, bool yes) { return coder.flag(i, model, yes); });
+      const auto code_rest = [&](unsigned lane, unsigned i, std::int64_t from,
+                                 ResidualContext context) {
+        return done >> i & 1 ? 4 * std::int64_t(row[i]) - from
+                             : code_alone(coder, lane, i, row[i], from, context, n);
+      };
+      rx = code_rest(0, x, mean[x], in_x);
+      ry = code_rest(1, y, mean[y], in_y);
+      rz = code_rest(2, z, mean[z] - steps_.lift(slopes, {rx, ry}, {x, y, z}), in_z);
+      return remember(v, x, y, z, rx, ry, rz);
+    }
     std::array<std::uint64_t, 3> low{};
     if constexpr (!Coder::encodes) low = coder.bits(in_x.width, in_y.width, in_z.width);
     rx = code_one(coder, 0, x, row[x], mean[x], in_x, low[0], n);
@@ -222,7 +241,7 @@ class SizedModel {
     if (copies_ && copies_->guess(v, a, b, c, place)) {
       const unsigned size = std::max(copies_->expected() / 4, 4u) - 4;
       for (unsigned i = 0; i < 3; ++i)
-        code_alone(coder, i, row[i], place[i], ResidualContext(4, size), 1);
+        code_alone(coder, i, i, row[i], 4 * std::int64_t(place[i]), ResidualContext(4, size), 1);
       return true;
     }
     if (!mirror_) return false;
@@ -240,19 +259,21 @@ class SizedModel {
     if (!near) return false;
     unsigned n = 1;
     for (unsigned i = 0; i < 3; ++i) {
-      code_alone(coder, i, row[i], place[i], ResidualContext(3, 0), i == symmetry_axis_ ? 2 : n);
+      code_alone(coder, i, i, row[i], 4 * std::int64_t(place[i]), ResidualContext(3, 0),
+                 i == symmetry_axis_ ? 2 : n);
       if (row[i] != place[i]) n = 3;
     }
     return true;
   }
 
-  /// One component that waits for no other.
+  /// One component whose low bits do not come with those of others.
   template <class Coder>
-  std::int64_t code_alone(Coder& coder, unsigned i, Int& value, std::int64_t from,
-                          ResidualContext context, unsigned n) {
+  CLERS_NEVER_INLINE std::int64_t code_alone(Coder& coder, unsigned lane, unsigned i, Int& value,
+                                             std::int64_t mean, ResidualContext context,
+                                             unsigned n) {
     std::uint64_t low = 0;
     if constexpr (!Coder::encodes) low = coder.bits(context.width, 0, 0)[0];
-    return code_one(coder, i, i, value, 4 * from, context, low, n);
+    return code_one(coder, lane, i, value, mean, context, low, n);
   }
 
   /// v by the position of a vertex beside it; where there is none, by 0.
@@ -261,7 +282,7 @@ class SizedModel {
     if (!valid_) return;
     Int* row = rows_ + 3 * std::size_t(v);
     for (unsigned i = 0; i < 3; ++i) {
-      const std::int64_t r = code_alone(coder, i, row[i], records_[from].at[i],
+      const std::int64_t r = code_alone(coder, i, i, row[i], 4 * std::int64_t(records_[from].at[i]),
                                         steps_.context(i, 2, beside_[i] >> 4), 1);
       beside_[i] += (16 * steps_.size(i, magnitude(r)) - beside_[i]) >> 2;
     }
@@ -335,6 +356,8 @@ class SizedModel {
     last_ = v;
     if (guided_ && valid_) [[unlikely]]
       tell(v);
+    if (repeats_ && valid_) [[unlikely]]
+      repeated_.known(v);
   }
   CLERS_NEVER_INLINE void tell(std::uint32_t v) {
     if (copies_) copies_->known(v);
@@ -350,6 +373,8 @@ class SizedModel {
   ResidualModel residuals_;
   std::optional<Copies<Int>> copies_;
   std::optional<Mirror<Int>> mirror_;
+  RepeatedCoordinates<Int> repeated_;
+  const bool repeats_;
   std::uint32_t guessed_ = Mirror<Int>::nobody, symmetry_axis_ = 3;
   BitModel nears_[8];
   unsigned last_nears_ = 7;

@@ -32,10 +32,10 @@ struct ValueStructure {
 struct ValueArrays {
   CodedArrays surface;
   std::vector<std::uint32_t> vertex_of;
-  std::vector<std::uint32_t> vertex_at;  ///< where values are at several vertices
+  std::vector<std::uint32_t> vertex_at;  ///< of each corner, where a value is at several vertices
 
   ValueSurface view(const Attribute* position) const {
-    return {surface.view(), vertex_of, vertex_at, position};
+    return {surface.view(), vertex_of, position, vertex_at};
   }
 };
 
@@ -85,18 +85,13 @@ inline ValueArrays make_value_surface(const CodedFaces& faces, Domain domain,
     if (structure.value_of[e] != no_value)
       out.vertex_of[structure.value_of[e]] =
           domain == Domain::corner ? faces.corners[e] : static_cast<std::uint32_t>(e);
-  std::size_t h = 0;  // of the surface
-  const auto for_each_kept = [&](auto visit) {
-    h = 0;
-    for (std::size_t t = 0; t < whole.corners.size() / 3; ++t)
-      for (std::size_t i = 0; i < 3 && !is_left_out(t); ++i) visit(whole.corners[3 * t + i]);
-  };
-  bool anywhere = false;
-  for_each_kept(
-      [&](std::uint32_t vertex) { anywhere |= out.vertex_of[out.surface.corners[h++]] != vertex; });
-  if (!anywhere) return out;
+  bool elsewhere = false;
+  for (std::size_t h = 0; h < whole.corners.size(); ++h)
+    elsewhere |= value(h) != no_value && out.vertex_of[value(h)] != whole.corners[h];
+  if (!elsewhere) return out;
   out.vertex_at.reserve(out.surface.corners.size());
-  for_each_kept([&](std::uint32_t vertex) { out.vertex_at.push_back(vertex); });
+  for (std::size_t h = 0; h < whole.corners.size(); ++h)
+    if (!is_left_out(h / 3)) out.vertex_at.push_back(whole.corners[h]);
   return out;
 }
 inline std::uint64_t value_surface_memory(std::uint64_t half_edges, bool twins,

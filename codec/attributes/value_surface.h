@@ -26,10 +26,10 @@ struct ValueSurface {
   CodedSurface surface;
   /// The vertex of the mesh where each value is first; empty: value i is at vertex i.
   std::span<const std::uint32_t> vertex_of = {};
-  /// The vertex of the mesh at each corner; empty: that of its value.
-  std::span<const std::uint32_t> vertex_at = {};
   /// Values by vertex of the mesh, decoded; nullptr where there are none.
   const Attribute* position = nullptr;
+  /// The vertex of the mesh at each corner; empty: that of its value.
+  std::span<const std::uint32_t> vertex_at = {};
 
   std::uint32_t vertex(std::uint32_t value) const {
     return vertex_of.empty() ? value : vertex_of[value];

@@ -61,29 +61,6 @@ void add_bits(const Attribute& a, std::size_t k, bool shared, std::vector<Colour
   }
 }
 
-/// The values of elements, one each; of those that have none, zeros.
-Attribute expanded(const Attribute& a) {
-  Attribute result{a.name, a.domain, a.scalar, a.components, {}};
-  const std::size_t stride = a.stride();
-  result.data.resize(a.indices.size() * stride);
-  for (std::size_t i = 0; i < a.indices.size(); ++i)
-    if (a.indices[i] != no_value)
-      std::memcpy(result.data.data() + i * stride, a.data.data() + a.indices[i] * stride, stride);
-  return result;
-}
-
-void add_near(const Attribute& x, const Attribute& y, double tolerance, Nearness nearness,
-              std::vector<Colour>& colours_x, std::vector<Colour>& colours_y) {
-  for (std::size_t c = 0; c < x.components; ++c)
-    add_near_values(x, y, c, tolerance, nearness, colours_x, colours_y);
-}
-
-/// Tells elements that have no value from those that have.
-void add_missing(const Attribute& a, std::vector<Colour>& colours) {
-  for (std::size_t i = 0; i < a.indices.size(); ++i)
-    if (a.indices[i] == no_value) colours[i] = mix(colours[i]);
-}
-
 /// Values scaled to length 1, as doubles; what has no direction becomes NaN.
 Attribute unit_vectors(const Attribute& a) {
   Attribute unit = {a.name, a.domain, Scalar::float64, 3, {}, {}};
@@ -102,12 +79,33 @@ Attribute unit_vectors(const Attribute& a) {
   return unit;
 }
 
-/// Components of unit vectors are no further apart than the vectors, and these no further than the
-/// arc; what rounding adds is less than a thousandth of a millionth.
-void add_near_directions(const Attribute& x, const Attribute& y, double degrees, Nearness nearness,
-                         std::vector<Colour>& colours_x, std::vector<Colour>& colours_y) {
-  add_near(unit_vectors(x), unit_vectors(y), degrees * 0.01746 + 1e-9, nearness, colours_x,
-           colours_y);
+/// The values of elements, one each; of those that have none, zeros.
+Attribute expanded(const Attribute& a) {
+  Attribute result{a.name, a.domain, a.scalar, a.components, {}};
+  const std::size_t stride = a.stride();
+  result.data.resize(a.indices.size() * stride);
+  for (std::size_t i = 0; i < a.indices.size(); ++i)
+    if (a.indices[i] != no_value)
+      std::memcpy(result.data.data() + i * stride, a.data.data() + a.indices[i] * stride, stride);
+  return result;
+}
+
+void add_near(const Attribute& x, const Attribute& y, double tolerance, ErrorMeasure measure,
+              Nearness nearness, std::vector<Colour>& colours_x, std::vector<Colour>& colours_y) {
+  if (measure == ErrorMeasure::angle) {
+    // Components of unit vectors are no further apart than the vectors, and these no further than
+    // the arc; what rounding adds is less than a thousandth of a millionth.
+    return add_near(unit_vectors(x), unit_vectors(y), tolerance * 0.01746 + 1e-9,
+                    ErrorMeasure::difference, nearness, colours_x, colours_y);
+  }
+  for (std::size_t c = 0; c < x.components; ++c)
+    add_near_values(x, y, c, tolerance, nearness, colours_x, colours_y);
+}
+
+/// Tells elements that have no value from those that have.
+void add_missing(const Attribute& a, std::vector<Colour>& colours) {
+  for (std::size_t i = 0; i < a.indices.size(); ++i)
+    if (a.indices[i] == no_value) colours[i] = mix(colours[i]);
 }
 
 void colour_domain(ComparedMesh& a, ComparedMesh& b, Domain domain, Nearness nearness) {
@@ -120,17 +118,12 @@ void colour_domain(ComparedMesh& a, ComparedMesh& b, Domain domain, Nearness nea
       continue;
     }
     std::vector<Colour>&of_a = colours_of(a, x), &of_b = colours_of(b, y);
-    const auto add = [&](const Attribute& of_x, const Attribute& of_y) {
-      if (a.measure[k] == ErrorMeasure::angle)
-        add_near_directions(of_x, of_y, *a.tolerance[k], nearness, of_a, of_b);
-      else
-        add_near(of_x, of_y, *a.tolerance[k], nearness, of_a, of_b);
-    };
     if (x.indices.empty() && y.indices.empty()) {
-      add(x, y);
+      add_near(x, y, *a.tolerance[k], a.measure[k], nearness, of_a, of_b);
       continue;
     }
-    add(x.indices.empty() ? x : expanded(x), y.indices.empty() ? y : expanded(y));
+    add_near(x.indices.empty() ? x : expanded(x), y.indices.empty() ? y : expanded(y),
+             *a.tolerance[k], a.measure[k], nearness, of_a, of_b);
     add_missing(x, of_a);
     add_missing(y, of_b);
   }
@@ -161,9 +154,9 @@ ComparedMesh::ComparedMesh(const Mesh& mesh, std::span<const Tolerance> toleranc
       return t.name == a.name && (!t.domain || t.domain == a.domain);
     });
     tolerance.push_back(given != tolerances.end() ? std::optional(given->error) : std::nullopt);
-    shared.push_back(false);
     const bool by_angle = given != tolerances.end() && a.components == 3;
     measure.push_back(by_angle ? given->measure : ErrorMeasure::difference);
+    shared.push_back(false);
   }
 }
 

@@ -36,10 +36,10 @@ struct ComparedMesh {
   std::array<std::pair<std::size_t, std::size_t>, 3> of_domain = {};
   /// Of each attribute, the largest difference that is none; not set: bits are compared.
   std::vector<std::optional<double>> tolerance;
+  std::vector<ErrorMeasure> measure;  ///< what differences of each are
   /// Of each attribute, whether both meshes say by index which elements share a value: then it must
   /// be the same elements. compare_sharing() finds it.
   std::vector<bool> shared;
-  std::vector<ErrorMeasure> measure;  ///< what differences of each are
   std::vector<Colour> colour;         ///< of each vertex: its values, until it is refined
   std::vector<Colour> corner_values;  ///< of each corner; empty: has none
   std::vector<Colour> face_values;    ///< of each face; empty: has none

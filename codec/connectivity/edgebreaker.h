@@ -94,8 +94,9 @@ class Edgebreaker {
         org_(surface.org.begin(), surface.org.end()),
         unbuilding_(surface.twins, surface.sizes, witness),
         triangles_(unbuilding_.triangles()),
-        vertices_(surface.vertex_count),
         with_corners_(with_corners) {
+    vertices_.reserve(surface.vertex_count + surface.vertex_count / 8);  // and parts of some
+    vertices_.resize(surface.vertex_count);
     result_.corners.resize(3 * (with_corners ? std::size_t(triangles_) : 1));
     result_.gates.resize(unbuilding_.faces());
     result_.contexts.resize(triangles_ + std::size_t(1));  // the first gate has no symbol before it

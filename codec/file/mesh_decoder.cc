@@ -164,8 +164,8 @@ std::uint64_t attribute_memory(const AttributeHeader& header, std::uint64_t coun
 }
 
 SurfaceSize surface_size(const PieceSections& s) {
-  if (s.features == feature::raw) return {s.vertices, s.corners};
-  return {s.connectivity.vertices, s.connectivity.faces};
+  if (s.features == feature::raw) return {s.vertices, s.corners, s.vertices};
+  return {s.connectivity.vertices, s.connectivity.faces, s.vertices};
 }
 
 std::uint64_t half_edges(const PieceSections& s) {
@@ -362,7 +362,7 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
       arrays = make_value_surface(faces, a.header.attribute.domain, structure,
                                   static_cast<std::size_t>(a.values()));
     const ValueSurface values_along =
-        a.header.structure.any ? arrays.view(position) : ValueSurface{surface, {}, {}, position};
+        a.header.structure.any ? arrays.view(position) : ValueSurface{surface, {}, position};
     auto attribute =
         finish_attribute(a.bytes, a.at, a.header, a.values(), std::move(*begun[i]), values_along);
     if (!attribute) return Failure{attribute.error()};

@@ -270,7 +270,7 @@ class MeshEncoder {
         const Attribute own = &permuted_ones[i] == position ? Attribute() : permute(a, faces);
         const Attribute& values = &permuted_ones[i] == position ? *position : own;
         coded[i] =
-            encode_attribute(values, {}, {surface, {}, {}, position}, options_.level, plan(i));
+            encode_attribute(values, {}, {surface, {}, position}, options_.level, plan(i));
       } else {
         coded[i] = encode_attribute(permuted_ones[i], std::move(ways[i]), faces.view, position,
                                     options_.level, plan(i));

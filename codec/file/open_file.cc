@@ -42,8 +42,9 @@ Expected<MeshInfo> info_of(const MeshSections& s, bool with_metadata) {
         if (!numbers) return Failure{numbers.error()};
         what.numbers = std::move(*numbers);
       }
-      sums.add(i, std::move(what),
-               a.count - (what.domain == Domain::vertex ? piece.seam.shared : 0));
+      const std::uint64_t own =
+          what.count - (what.domain == Domain::vertex ? piece.seam.shared : 0);
+      sums.add(i, std::move(what), own);
     }
   }
   if (s.metadata) mesh.metadata_bytes = s.metadata->payload_size;

@@ -193,6 +193,41 @@ NumberedValues put_into_octahedral(std::span<const std::byte> values, Scalar sca
   return out;
 }
 
+/// A component of values in a system.
+EncodedColumn column_in(const NumberSystem& system, std::span<const std::byte> values,
+                        const Component& place, int level, Integers integers = Integers::as_coded) {
+  return with_number_type(place.scalar, [&](auto type) {
+    using T = decltype(type);
+    const auto numbers = words_of<T>(values, place);
+    return with_map<T>(system, place.scalar, [&](const auto& map) {
+      return encode_column<T>(place_column<T>(std::span(numbers), system, map), map, level,
+                              integers);
+    });
+  });
+}
+
+/// How many bits differences to the value before have, in all: what orders of magnitude cost.
+std::uint64_t bits_of_steps(const std::vector<std::uint64_t>& ks) {
+  std::uint64_t bits = 0, before = 0;
+  for (const std::uint64_t k : ks) {
+    bits += static_cast<unsigned>(std::bit_width(zigzag(k - before)));
+    before = k;
+  }
+  return bits;
+}
+
+/// About how many bits a column takes, its integers by their differences.
+std::uint64_t about_bits(const EncodedColumn& column) {
+  const auto& palette = column.header.axis.palette;
+  std::vector<std::uint64_t> ks = column.ks;
+  if (!palette.empty())
+    for (std::uint64_t& k : ks)
+      k = static_cast<std::uint64_t>(std::lower_bound(palette.begin(), palette.end(), k) -
+                                     palette.begin());
+  return bits_of_steps(ks) +
+         8 * (column.palette.size() + column.refinements.size() + column.strays.bytes.size());
+}
+
 template <class Int>
 void set_rows(const std::vector<EncodedColumn>& columns, std::vector<Int>& rows) {
   const std::size_t count = columns.front().ks.size(), components = columns.size();
@@ -218,6 +253,12 @@ NumberedValues with_headers(std::vector<EncodedColumn>& columns, Scalar scalar) 
   return out;
 }
 
+NumberedValues numbered(std::vector<EncodedColumn>& columns, Scalar scalar) {
+  NumberedValues out = with_headers(columns, scalar);
+  out.numbers.narrow() ? set_rows(columns, out.narrow) : set_rows(columns, out.wide);
+  return out;
+}
+
 }  // namespace
 
 NumberedValues put_into_systems(std::span<const std::byte> values, Scalar scalar,
@@ -225,34 +266,30 @@ NumberedValues put_into_systems(std::span<const std::byte> values, Scalar scalar
   const DoublePrecision doubles;
   if (!systems.empty() && systems[0].map == NumberMap::octahedral)
     return put_into_octahedral(values, scalar, systems[0].precision);
-  const std::size_t components = systems.size();
   std::vector<EncodedColumn> columns;
-  for (std::size_t c = 0; c < components; ++c) {
-    columns.push_back(with_number_type(scalar, [&](auto type) {
-      using T = decltype(type);
-      const auto numbers = words_of<T>(values, {scalar, components, c});
-      return with_map<T>(systems[c], scalar, [&](const auto& map) {
-        return encode_column<T>(place_column<T>(std::span(numbers), systems[c], map), map, level,
-                                integers);
-      });
-    }));
-  }
-  NumberedValues out = with_headers(columns, scalar);
-  out.numbers.narrow() ? set_rows(columns, out.narrow) : set_rows(columns, out.wide);
-  return out;
+  for (std::size_t c = 0; c < systems.size(); ++c)
+    columns.push_back(column_in(systems[c], values, {scalar, systems.size(), c}, level, integers));
+  return numbered(columns, scalar);
 }
 
 NumberedValues number_values(std::span<const std::byte> values, Scalar scalar,
                              std::size_t components, int level) {
   const DoublePrecision doubles;
-  std::vector<NumberSystem> systems;
-  for (std::size_t c = 0; c < components; ++c)
-    systems.push_back(with_number_type(scalar, [&](auto type) {
+  std::vector<EncodedColumn> columns;
+  for (std::size_t c = 0; c < components; ++c) {
+    const Component place{scalar, components, c};
+    const auto systems = with_number_type(scalar, [&](auto type) {
       using T = decltype(type);
-      return find_system<T>(words_of<T>(values, {scalar, components, c}),
-                            level < 5 ? Search::quick : Search::thorough);
-    }));
-  return put_into_systems(values, scalar, std::move(systems), level);
+      const auto words = words_of<T>(values, place);
+      if (level < 5) return std::vector{find_system<T>(words, Search::quick)};
+      return find_systems<T>(words, Search::thorough);
+    });
+    columns.push_back(column_in(systems[0], values, place, level));
+    if (systems.size() < 2) continue;
+    EncodedColumn other = column_in(systems[1], values, place, level);
+    if (about_bits(other) < about_bits(columns.back())) columns.back() = std::move(other);
+  }
+  return numbered(columns, scalar);
 }
 
 std::vector<NumberedValues> number_for_lines(std::span<const std::byte> values, Scalar scalar,

@@ -128,18 +128,22 @@ std::optional<NumberSystem> coarser_system(const std::vector<T>& numbers, Sorted
   std::vector<WordOf<Number>> words;
   words.reserve(numbers.size());
   for (const T x : numbers) words.push_back(word_of(x));
-  const NumberSystem found = find_system<Number>(words, Search::thorough);
-  if (found.low_bits > 0 || found.ulps > 0) return std::nullopt;
-  if (found.map != (std::is_floating_point_v<T> ? NumberMap::quotient : NumberMap::word))
-    return std::nullopt;
-  const double apart = std::is_floating_point_v<T> ? spacing(found) : double(found.step);
-  if (!(apart >= step)) return std::nullopt;
-  const bool has_all = with_map<Number>(found, scalar_of<T>(), [&](const auto& map) {
-    const Placing<Number, std::decay_t<decltype(map)>> placing(found, map);
-    return std::all_of(words.begin(), words.end(),
-                       [&](auto word) { return placing.place(word).exact; });
-  });
-  return has_all ? std::optional(found) : std::nullopt;
+  // A few numbers show of which kind the system is; many, which steps those have in common that do
+  // not occur often.
+  for (const Search search : {Search::quick, Search::thorough}) {
+    const NumberSystem found = find_system<Number>(words, search);
+    if (found.low_bits > 0 || found.ulps > 0) return std::nullopt;
+    if (found.map != (std::is_floating_point_v<T> ? NumberMap::quotient : NumberMap::word))
+      return std::nullopt;
+    const bool has_all = with_map<Number>(found, scalar_of<T>(), [&](const auto& map) {
+      const Placing<Number, std::decay_t<decltype(map)>> placing(found, map);
+      return std::all_of(words.begin(), words.end(),
+                         [&](auto word) { return placing.place(word).exact; });
+    });
+    const double apart = std::is_floating_point_v<T> ? spacing(found) : double(found.step);
+    if (has_all) return apart >= step ? std::optional(found) : std::nullopt;
+  }
+  return std::nullopt;
 }
 
 template <class T>

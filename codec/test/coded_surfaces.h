@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -36,6 +37,35 @@ inline CodedArrays coded(const Mesh& mesh) {
   const auto bytes = encode_connectivity({mesh.corners, *twins, mesh.vertex_count}, 5);
   EXPECT_TRUE(bytes.ok());
   return decoded(bytes->bytes);
+}
+
+/// A torus, with places by what `at(i, j)` says: i around it, j across. Three integers a vertex.
+template <class Int, class At>
+std::pair<CodedArrays, std::vector<Int>> coded_torus(std::uint32_t around, std::uint32_t across,
+                                                     At at) {
+  const Mesh mesh = corpus::torus(around, across);
+  auto twins = find_twins({mesh.corners, mesh.face_sizes}, mesh.vertex_count);
+  EXPECT_TRUE(twins.ok());
+  const auto coded = encode_connectivity({mesh.corners, *twins, mesh.vertex_count}, 5);
+  EXPECT_TRUE(coded.ok());
+  std::vector<Int> rows;
+  for (const std::uint32_t v : coded->vertices)
+    for (const std::uint64_t x : at(v / across, v % across)) rows.push_back(static_cast<Int>(x));
+  return {decoded(coded->bytes), rows};
+}
+
+/// A number of so many bits, always the same for a key.
+inline std::uint64_t rough(std::uint64_t key, unsigned bits) {
+  corpus::Random random(key);
+  return random.next() >> (64 - bits);
+}
+
+/// A torus that is a rough profile moved along z: a place is three numbers that were there before.
+template <class Int>
+std::pair<CodedArrays, std::vector<Int>> moved_profile(unsigned bits) {
+  return coded_torus<Int>(40, 30, [bits](std::uint32_t i, std::uint32_t j) {
+    return std::array{rough(j, bits), rough(100 + j, bits), rough(200 + i, bits)};
+  });
 }
 
 /// The surface with some of its vertices made one, as copies are.

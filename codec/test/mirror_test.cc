@@ -87,8 +87,8 @@ Shape<std::int32_t> turned(std::int32_t sum, std::int32_t sum2) {
       x = -y;
       y = before;
     }
-    return std::array<std::int32_t, 3>{(sum2 + y) / 2, std::int32_t(40 * std::min(j, across - j)),
-                                       (sum + x) / 2};
+    return std::array<std::int32_t, 3>{
+        (sum2 + y) / 2, std::int32_t(40 * std::min(j, across - j) + k), (sum + x) / 2};
   });
 }
 
@@ -204,6 +204,18 @@ TEST(Mirror, FindsQuarterTurnsAndGuessesThreeQuarters) {
     EXPECT_GT(met.right, met.guessed * 8 / 10);
     expect_images(shape, *found, met);
   }
+}
+
+/// About another place than the middle of all, which is moved by one that has no images.
+TEST(Mirror, FindsQuarterTurnsAboutAnyPlace) {
+  auto shape = turned(2000, 2200);
+  shape.rows[2] = 4000;
+  const auto found = find_mirror(shape.lattice());
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->kind, Symmetry::quarter_turn);
+  EXPECT_EQ(found->axis, 2u);
+  EXPECT_EQ(found->sum, 2000u);
+  EXPECT_EQ(found->sum2, 2200u);
 }
 
 TEST(Mirror, FindsTwoMirrors) {

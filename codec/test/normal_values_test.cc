@@ -34,7 +34,7 @@ struct Ground {
   Attribute position;
   std::vector<std::uint32_t> vertex_of = {}, vertex_at = {};
 
-  ValueSurface along() const { return {arrays.view(), vertex_of, vertex_at, &position}; }
+  ValueSurface along() const { return {arrays.view(), vertex_of, &position, vertex_at}; }
 };
 
 enum class Places { rough, flat, one, extreme };
