@@ -102,7 +102,10 @@ Expected<Encoded> encode_meshes(std::span<const MeshView> given, const EncodeOpt
                                            std::to_string(meshes.size()) + " meshes");
   for (std::size_t i = 0; i < meshes.size(); ++i)
     if (auto ok = check(meshes[i], options); !ok) return in_mesh(ok.error(), i, meshes.size());
-  if (auto ok = check_precisions(meshes, options); !ok) return Failure{ok.error()};
+  if (auto ok = check_precisions(meshes, options,
+                                 scene ? std::span(scene->arrays) : std::span<const Array>());
+      !ok)
+    return Failure{ok.error()};
   if (scene)
     if (auto ok = check_scene(*scene); !ok) return Failure{ok.error()};
   std::vector<EncodeOptions> of_mesh(orders.empty() ? 0 : meshes.size(), options);
@@ -174,8 +177,7 @@ Expected<Encoded> encode_meshes(std::span<const MeshView> given, const EncodeOpt
     result.counts.push_back(coded.counts);
   }
   if (scene)
-    if (auto ok = put_after_meshes(*scene, result.permutations, options.level, out, result.scene);
-        !ok)
+    if (auto ok = put_after_meshes(*scene, result.permutations, options, out, result.scene); !ok)
       return Failure{ok.error()};
   result.bytes = out.finish(meshes.size());
   if (options.progress) options.progress("done", 1.0);

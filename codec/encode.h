@@ -62,7 +62,8 @@ Expected<Encoded> encode(const MeshView& mesh, const EncodeOptions& options = {}
 Expected<Encoded> encode(std::span<const MeshView> meshes, const EncodeOptions& options = {});
 Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& options = {});
 
-/// Encodes a scene into one file: its meshes as above, arrays without loss, blobs and the document
+/// Encodes a scene into one file: its meshes as above, arrays without loss unless
+/// options.precisions name them, without a domain, and no `vertices_of`; blobs and the document
 /// packed where that helps. `orders`, if there are any, are one a mesh, instead of options.order.
 /// Errors besides: inconsistent_mesh for arrays, blobs and metadata that are not as
 /// <clers/scene.h> says; bad_option for another number of orders.

@@ -97,6 +97,7 @@ struct ArrayInfo {
   std::uint64_t bytes = 0;                        ///< compressed
   std::string numbers, coder;                     ///< as in AttributeInfo
   std::optional<std::uint64_t> vertices_of = {};  ///< the mesh
+  double error = 0;                               ///< as in AttributeInfo, of a component
 };
 
 /// A blob of a scene in a file.

@@ -110,6 +110,14 @@ void note_changes(Job& job, std::span<const Warning> warnings, std::span<const M
   for (const FoundError& found : largest_errors(report)) job.note(job.name(), off_by(found), true);
 }
 
+/// The same of arrays.
+void note_changes(Job& job, const SceneInfo& scene) {
+  std::vector<FoundError> found;
+  for (const ArrayInfo& a : scene.arrays)
+    if (a.error > 0) add(found, {a.name, Domain::face, a.error, ErrorMeasure::difference});
+  for (const FoundError& one : found) job.note(job.name(), off_by(one), true);
+}
+
 /// A scene whose meshes are .clers files, for an output that is called so.
 Outcome<Done> encode_within(const Options& options, Job& job, const SceneFile& file,
                             gltf::Form form, const std::string& output) {
@@ -147,6 +155,7 @@ Outcome<Done> encode_one(const Options& options, Job& job, const Destination& to
                     how.order == Order::keep ? std::span<const Order>() : std::span(file->orders));
   if (!encoded) return stop(job.name(), encoded.error());
   note_changes(job, encoded->warnings, encoded->report);
+  note_changes(job, encoded->scene);
   return job.save(*output, encoded->bytes);
 }
 

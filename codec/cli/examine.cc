@@ -186,7 +186,7 @@ Exit verify(const Options& options) {
     const Expected<Decoder> decoder = Decoder::open(*bytes, options.decode);
     const Expected<FileInfo> stated = decoder ? decoder->info() : Failure{decoder.error()};
     if (!stated) return job.not_accepted(stated.error());
-    const std::string other = scene_difference(expected->scene, *found);
+    const std::string other = scene_difference(expected->scene, *found, stated->scene.arrays);
     if (!other.empty())
       return stop(Exit::different, fmt::format("{}: differs: {}", job.name(), other));
     const auto same =

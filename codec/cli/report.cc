@@ -129,7 +129,8 @@ Json in_json(const SceneInfo& scene) {
                               {"count", a.count},
                               {"bytes", a.bytes},
                               {"numbers", a.numbers},
-                              {"coder", a.coder}});
+                              {"coder", a.coder},
+                              {"error", a.error}});
     if (a.vertices_of) json["arrays"].back()["vertices_of"] = *a.vertices_of;
   }
   json["blobs"] = Json::array();
@@ -193,11 +194,11 @@ void put(std::string& out, const SceneInfo& scene) {
                        grouped(scene.document_size));
   for (const ArrayInfo& a : scene.arrays)
     out += fmt::format(
-        "  {:<22}{:>15} bytes: {} values of {}{}, {}, {}\n", fitting(printable(a.name), 22),
+        "  {:<22}{:>15} bytes: {} values of {}{}, {}, {}{}\n", fitting(printable(a.name), 22),
         grouped(a.bytes), grouped(a.count),
         a.components == 1 ? name(a.scalar) : fmt::format("{} {}", a.components, name(a.scalar)),
         a.vertices_of ? fmt::format(", vertices of mesh {}", *a.vertices_of) : "", a.coder,
-        printable(a.numbers));
+        printable(a.numbers), a.error > 0 ? fmt::format(", off by {:.4g} at most", a.error) : "");
   for (const BlobInfo& b : scene.blobs)
     out += fmt::format("  {:<22}{:>15} bytes of {}\n", fitting(printable(b.name), 22),
                        grouped(b.bytes), grouped(b.size));

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <utility>
@@ -19,9 +20,26 @@ std::uint64_t mixed(std::uint64_t x, std::uint64_t stream) {
   return x ^ x >> 31;
 }
 
+/// Whether no component is further off. Precondition: they have as many of one type.
+bool near(const Array& a, const Array& b, double error) {
+  return with_type(a.scalar, [&](auto type) {
+    using T = decltype(type);
+    for (std::size_t at = 0; at < a.data.size(); at += sizeof(T)) {
+      T x, y;
+      std::memcpy(&x, a.data.data() + at, sizeof x);
+      std::memcpy(&y, b.data.data() + at, sizeof y);
+      const bool same = std::memcmp(&x, &y, sizeof x) == 0;
+      if (!same && !(std::fabs(static_cast<double>(x) - static_cast<double>(y)) <= error))
+        return false;
+    }
+    return true;
+  });
+}
+
 }  // namespace
 
-std::string scene_difference(const Scene& expected, const Scene& found) {
+std::string scene_difference(const Scene& expected, const Scene& found,
+                             std::span<const ArrayInfo> stated) {
   if (expected.document != found.document) return "the document is another one";
   if (expected.arrays.size() != found.arrays.size())
     return fmt::format("{} arrays, the original has {}", found.arrays.size(),
@@ -30,7 +48,7 @@ std::string scene_difference(const Scene& expected, const Scene& found) {
     const Array &a = expected.arrays[i], &b = found.arrays[i];
     const bool alike = a.name == b.name && a.scalar == b.scalar && a.components == b.components &&
                        a.vertices_of == b.vertices_of && a.data.size() == b.data.size() &&
-                       (a.vertices_of || a.data == b.data);
+                       (a.vertices_of || a.data == b.data || near(a, b, stated[i].error));
     if (!alike) return fmt::format("array {}, '{}'", i, a.name);
   }
   if (expected.blobs.size() != found.blobs.size())

@@ -269,8 +269,7 @@ class MeshEncoder {
       if (ways[i].empty()) {
         const Attribute own = &permuted_ones[i] == position ? Attribute() : permute(a, faces);
         const Attribute& values = &permuted_ones[i] == position ? *position : own;
-        coded[i] =
-            encode_attribute(values, {}, {surface, {}, position}, options_.level, plan(i));
+        coded[i] = encode_attribute(values, {}, {surface, {}, position}, options_.level, plan(i));
       } else {
         coded[i] = encode_attribute(permuted_ones[i], std::move(ways[i]), faces.view, position,
                                     options_.level, plan(i));

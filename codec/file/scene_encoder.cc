@@ -11,6 +11,7 @@
 #include "codec/entropy/bytes.h"
 #include "codec/entropy/zstd_frame.h"
 #include "codec/file/metadata.h"
+#include "codec/numbers/quantise.h"
 
 namespace clers::internal {
 namespace {
@@ -50,6 +51,22 @@ std::string fault_of(const Array& a, std::span<const Mesh> meshes) {
       return "vertex " + std::to_string(v) + ", expected one below " + std::to_string(vertices);
   }
   return {};
+}
+
+/// Moves the values of an array to a grid, if that is asked for.
+Expected<AttributePlan> move_to_grid(Attribute& values, const EncodeOptions& options) {
+  Precision precision;
+  for (const AttributePrecision& asked : options.precisions)
+    if (asked.name == values.name && !asked.domain) precision = asked.precision;
+  if (precision.kind == Precision::Kind::recomputed ||
+      precision.kind == Precision::Kind::directions)
+    return fail(ErrorCode::bad_option,
+                "array '" + values.name + "' has numbers, which are no directions");
+  precision.or_directions = false;
+  auto quantised = quantise(AttributeView(values), precision, true);
+  if (!quantised) return Failure{quantised.error()};
+  if (quantised->plan.error > 0) values.data = std::move(quantised->values);
+  return std::move(quantised->plan);
 }
 
 /// Vertices as they are numbered in the file.
@@ -100,12 +117,17 @@ Expected<Done> put_before_meshes(const Scene& scene, ContainerWriter& out, Scene
 }
 
 Expected<Done> put_after_meshes(const Scene& scene, std::span<const Permutation> permutations,
-                                int level, ContainerWriter& out, SceneInfo& info) {
+                                const EncodeOptions& options, ContainerWriter& out,
+                                SceneInfo& info) {
   for (const Array& array : scene.arrays) {
     Attribute values{array.name, Domain::face, array.scalar, array.components, array.data};
     if (array.vertices_of)
       values.data = renumbered(std::move(values.data), permutations[*array.vertices_of]);
-    const auto coded = encode_attribute(values, StructureHeader{}, ValueSurface{}, level);
+    Expected<AttributePlan> plan = AttributePlan{};
+    if (!array.vertices_of) plan = move_to_grid(values, options);
+    if (!plan) return Failure{plan.error()};
+    const auto coded =
+        encode_attribute(values, StructureHeader{}, ValueSurface{}, options.level, *plan);
     if (!coded) return Failure{coded.error()};
     Bytes payload;
     put_varint(payload, array.value_count());
@@ -116,6 +138,7 @@ Expected<Done> put_after_meshes(const Scene& scene, std::span<const Permutation>
     ArrayInfo what{array.name,     array.scalar,        array.components,  array.value_count(),
                    payload.size(), coded->info.numbers, coded->info.coder, {}};
     if (array.vertices_of) what.vertices_of = *array.vertices_of;
+    what.error = coded->info.error;
     info.arrays.push_back(std::move(what));
   }
   for (const Blob& blob : scene.blobs) {

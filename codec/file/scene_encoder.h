@@ -7,6 +7,7 @@
 #include "codec/error.h"
 #include "codec/file/container.h"
 #include "codec/info.h"
+#include "codec/options.h"
 #include "codec/order.h"
 #include "codec/scene.h"
 
@@ -19,9 +20,10 @@ Expected<Done> check_scene(const Scene& scene);
 Expected<Done> put_before_meshes(const Scene& scene, ContainerWriter& out, SceneInfo& info);
 
 /// Sections after those of meshes: arrays, in which vertices get the numbers that they have in the
-/// file, and blobs. One permutation a mesh. Errors: internal.
+/// file, and blobs. One permutation a mesh. Errors: bad_option, not_on_grid; internal.
 Expected<Done> put_after_meshes(const Scene& scene, std::span<const Permutation> permutations,
-                                int level, ContainerWriter& out, SceneInfo& info);
+                                const EncodeOptions& options, ContainerWriter& out,
+                                SceneInfo& info);
 
 }  // namespace clers::internal
 

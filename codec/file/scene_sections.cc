@@ -80,8 +80,9 @@ Expected<ArraySection> read_array(const Section& section) {
   if (!header) return Failure{header.error()};
   array.header = std::move(*header);
   const Attribute& a = array.header.attribute;
-  if (a.domain != Domain::face || array.header.structure.any || array.header.error > 0 ||
-      along(array.header) != Along::nothing || needs_position(array.header))
+  if (a.domain != Domain::face || array.header.structure.any ||
+      array.header.measure != ErrorMeasure::difference || along(array.header) != Along::nothing ||
+      needs_position(array.header))
     return invalid(section.at, "an array that is no plain list of values");
   if (array.count > most_values)
     return invalid(section.at, std::to_string(array.count) + " values are more than an array has");
@@ -147,7 +148,7 @@ Expected<SceneInfo> describe(const SceneSections& scene, bool metadata) {
     auto numbers = describe_numbers(a.bytes, a.at, a.header, a.count);
     if (!numbers) return Failure{numbers.error()};
     info.arrays.push_back({values.name, values.scalar, values.components, a.count, a.payload_size,
-                           std::move(*numbers), values.coder, a.vertices_of});
+                           std::move(*numbers), values.coder, a.vertices_of, values.error});
     info.array_bytes += a.payload_size;
   }
   for (const BlobSection& b : scene.blobs) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <numeric>
 
@@ -166,6 +167,35 @@ TEST(Scene, IsDescribed) {
   for (const MeshInfo& mesh : info->meshes)
     sum += mesh.connectivity_bytes + mesh.position_bytes + mesh.attribute_bytes;
   EXPECT_EQ(sum, result->bytes.size());
+}
+
+TEST(Scene, ArraysAreQuantisedIfTheyAreNamed) {
+  Scene scene = small_scene();
+  std::vector<float> keys;
+  for (int i = 0; i < 90; ++i) keys.push_back(static_cast<float>(i * i % 71) * 0.0137f);
+  scene.arrays.push_back({"keys", Scalar::float32, 3, bytes_of(keys)});
+  EncodeOptions options;
+  options.precisions = {{"keys", Precision::of_error(0.01)}, {"position", Precision::of_bits(9)}};
+  const auto result = encode(scene, options);
+  ASSERT_TRUE(result) << describe(result.error());
+  const double error = result->scene.arrays[4].error;
+  EXPECT_GT(error, 0);
+  EXPECT_LE(error, 0.01);
+  const auto decoded = decode_scene(result->bytes);
+  ASSERT_TRUE(decoded);
+  EXPECT_EQ(decoded->arrays[1].data, scene.arrays[1].data);
+  EXPECT_NE(decoded->arrays[4].data, scene.arrays[4].data);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    float value = 0;
+    std::memcpy(&value, decoded->arrays[4].data.data() + 4 * i, 4);
+    EXPECT_LE(std::abs(double(value) - double(keys[i])), error);
+  }
+  for (const char* name : {"line", "nobody"}) {
+    options.precisions = {{name, Precision::of_bits(9)}};
+    const auto refused = encode(scene, options);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::bad_option);
+  }
 }
 
 TEST(Scene, RefusesWhatIsInconsistent) {
