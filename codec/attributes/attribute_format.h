@@ -176,7 +176,7 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
     return fail(ErrorCode::invalid, Place::byte, at, std::move(fault));
   if (scalar >= scalar_count) return invalid("scalar type", scalar);
   if (components == 0) return invalid("components", components);
-  if (coder >= coder_count || coder == 6) return invalid("coder", coder);
+  if (coder >= coder_count) return invalid("coder", coder);
   const bool for_positions = coder == static_cast<std::uint32_t>(Coder::sized) ||
                              coder == static_cast<std::uint32_t>(Coder::mixed);
   if (for_positions && (components != 3 || header.structure.any ||

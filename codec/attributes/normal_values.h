@@ -355,7 +355,7 @@ bool code_normals(Coder& coder, const NormalModel& model, const Numbers& numbers
                   std::size_t most) {
   const auto code_all = [&](auto&& normals) {
     return for_each_with_nearby(
-        surface, rows.size() / numbers.axes.size(), most,
+        ValueSurface{surface}, rows.size() / numbers.axes.size(), most,
         [&](std::uint32_t v, const Nearby& nearby) { return normals.code(v, nearby); });
   };
   if (const unsigned bits = numbers.octahedral_bits())
