@@ -17,11 +17,13 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "codec/attributes/around_vertex.h"
+#include "codec/attributes/parallelograms.h"
 #include "codec/attributes/symmetry.h"
 #include "codec/base/portable.h"
 #include "codec/connectivity/coded_surface.h"
@@ -71,10 +73,29 @@ class Mirror {
   /// greatest top. It is not clamped.
   Int image(std::uint32_t w, std::size_t c) const { return maps_.image(guessed_by_, row(w), c); }
 
-  /// Whose image the next vertex will be: known, around the partners of a or b, and of those the
-  /// one whose image is nearest to the prediction. Or nobody. Preconditions: a and b are known;
-  /// predictions are within -T .. 2 T.
-  CLERS_ALWAYS_INLINE std::uint32_t guess(std::uint32_t a, std::uint32_t b, const Int* prediction) {
+  /// Whose image the next vertex will be, by connectivity: the vertex that completes a triangle
+  /// with the partners of a and b, if it is free and its image is not farther from a + b - c than
+  /// the length of a-b, or than half of it if `strictly`. Or nobody. Precondition: a, b and c are
+  /// known.
+  std::uint32_t guess(std::uint32_t a, std::uint32_t b, std::uint32_t c, bool strictly) {
+    const std::uint32_t q = partner_[a], p = partner_[b];
+    if (q >= nothing || p >= nothing || ((state_[a] ^ state_[b]) & 3) != 0) return nobody;
+    guessed_by_ = state_[a] & 3u;
+    if (surface_.twins.empty()) return nobody;
+    const std::uint32_t w = beyond(q, p, guessed_by_);
+    if (w == nobody) return nobody;
+    std::int64_t off = 0, length = 8;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int64_t d = std::int64_t(image(w, i)) - row(b)[i] - row(a)[i] + row(c)[i];
+      off += std::min(std::abs(d), std::int64_t(1) << 59);  // so that no sum overflows
+      length += std::abs(std::int64_t(row(b)[i]) - row(a)[i]);
+    }
+    return off << strictly <= length ? w : nobody;
+  }
+  /// The same by places: known, around the partners of a or b, and of those the one whose image is
+  /// nearest to the prediction. Or nobody. Preconditions: a and b are known; predictions are within
+  /// -T .. 2 T.
+  std::uint32_t guess(std::uint32_t a, std::uint32_t b, const Int* prediction) {
     const std::uint32_t q = partner_[a], p = partner_[b];
     if ((q >= nothing && p >= nothing) || surface_.twins.empty()) return nobody;
     return nearest(q, state_[a] & 3u, p, state_[b] & 3u, prediction);
@@ -225,6 +246,31 @@ class Mirror {
       });
     for (std::size_t i = 0; i < count; ++i) consider(found[i], by_q, 4);
     return best;
+  }
+
+  /// Who completes a triangle with q and p as the image of v does, if it is free.
+  std::uint32_t beyond(std::uint32_t q, std::uint32_t p, unsigned map) const {
+    if (!surface_.has(q)) return nobody;
+    const auto at = [&](std::uint32_t h) { return surface_.corners[h]; };
+    std::uint32_t h = 3 * surface_.introduced_by[q];
+    h += at(h) == q ? 0u : at(h + 1) == q ? 1u : 2u;
+    const std::uint32_t first = h;
+    for (unsigned i = 0; i < most_steps_around; ++i) {
+      const std::uint32_t back = previous_in(h);
+      const HalfEdge across = surface_.twins[back];
+      if (maps_.reverses(map)) {  // to the left of p - q
+        if (at(back) == p) return free_or_nobody(at(next_in(h)), map);
+      } else {  // to the left of q - p
+        if (at(next_in(h)) == p) return free_or_nobody(at(back), map);
+      }
+      if (!across) return nobody;
+      h = across.index();
+      if (h == first) return nobody;
+    }
+    return nobody;
+  }
+  std::uint32_t free_or_nobody(std::uint32_t w, unsigned map) const {
+    return is_free(w, map) ? w : nobody;
   }
 
   CodedSurface surface_;

@@ -37,7 +37,7 @@ std::uint64_t sized_positions_memory(std::span<const std::byte> bytes, std::uint
   const auto at = [&](std::size_t i) {
     return i < bytes.size() ? std::to_integer<unsigned>(bytes[i]) : 0u;
   };
-  if (at(0) & 1) sum += visit_order_memory(count);
+  if (at(0) & 1) sum += visit_order_memory(count) + count * sizeof(HalfEdge);
   if (at(0) & 2) sum += originals_memory(count, triangles) + Copies<std::int64_t>::memory(count);
   sum += RepeatedCoordinates<std::int64_t>::memory(static_cast<Repetition>(at(0) >> 2), count);
   if (at(1)) sum += Mirror<std::int64_t>::memory(count);

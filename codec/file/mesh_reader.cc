@@ -26,7 +26,7 @@ Expected<Done> read_raw(const Section& section, ByteReader& in, PieceSections& m
   if (!in.ok()) return Failure{in.error()};
   if (std::string fault = mesh.raw.fault(); !fault.empty())
     return fail(ErrorCode::invalid, Place::byte, section.at, std::move(fault));
-  mesh.vertices = mesh.raw.vertices;
+  mesh.vertices = mesh.places = mesh.raw.vertices;
   mesh.faces = mesh.raw.faces;
   mesh.corners = mesh.raw.corners;
   return Done{};
@@ -59,6 +59,7 @@ Expected<Done> read_surface(const Section& section, ByteReader& in, PieceSection
   if (mesh.features & feature::repeats) mesh.repeats.read(in);
   if (mesh.features & feature::folded) mesh.folded.read(in);
   if (mesh.features & feature::degenerate) mesh.degenerate.read(in);
+  if (mesh.features & feature::welded) mesh.points.read(in);
   if (!in.ok()) return Failure{in.error()};
   mesh.connectivity_bytes = section.payload.subspan(in.position());
   mesh.connectivity_at = in.offset();
@@ -70,13 +71,18 @@ Expected<Done> read_surface(const Section& section, ByteReader& in, PieceSection
   mesh.surface_vertices = header->vertices - mesh.copies.copies;
   if (others > 0xffffffffu - mesh.surface_vertices)
     return invalid(std::to_string(others) + " further vertices are more than there are numbers");
-  mesh.vertices = mesh.surface_vertices + others;
+  mesh.vertices = mesh.places = mesh.surface_vertices + others;
   mesh.faces = mesh.surface_faces + mesh.repeats.faces + mesh.folded.faces + mesh.degenerate.faces;
   // A polygon of n corners is n - 2 triangles.
   mesh.corners = header->faces + 2 * mesh.surface_faces + mesh.repeats.corners +
                  3 * mesh.folded.faces + mesh.degenerate.corners;
   if (mesh.corners > max_corners)
     return invalid(std::to_string(mesh.corners) + " corners are more than there are numbers");
+  if (mesh.features & feature::welded) {
+    if (std::string fault = mesh.points.fault(mesh.corners, mesh.places); !fault.empty())
+      return invalid(std::move(fault));
+    mesh.vertices = mesh.points.points;
+  }
   return Done{};
 }
 
@@ -106,6 +112,13 @@ Expected<PieceSections::AttributeSection> read_attribute(const Section& section,
     case Domain::corner: result.count = mesh.corners; break;
     case Domain::face: result.count = mesh.faces; break;
   }
+  const Attribute& what = header->attribute;
+  const bool at_places = header->structure.at_places;
+  if (at_places ? !mesh.is_welded()
+                : mesh.is_welded() && what.domain == Domain::vertex && what.name == position_name)
+    return fail(ErrorCode::invalid, Place::byte, section.at,
+                "values of places of a mesh that has none, or positions that are not");
+  if (at_places) result.places = mesh.places;
   if (auto ok = check_values(result.bytes, result.at, result.header, result.values()); !ok)
     return Failure{ok.error()};
   return result;
@@ -142,6 +155,9 @@ class MeshesReader {
 
   Expected<Done> take(const Section& section) {
     const bool any_piece = !meshes.empty() && !meshes.back().pieces.empty();
+    if (is_of_scene(section)) return add_to_scene(section);
+    if (scene.any_after_meshes() && section.kind != SectionKind::end)
+      return invalid(section, "a section of a mesh behind arrays or blobs");
     switch (section.kind) {
       case SectionKind::pieces: return begin_pieces(section);
       case SectionKind::mesh: return add_piece(section);
@@ -172,8 +188,51 @@ class MeshesReader {
   }
 
   std::vector<MeshSections> meshes;
+  SceneSections scene;
 
  private:
+  bool is_of_scene(const Section& section) const {
+    switch (section.kind) {
+      case SectionKind::document:
+      case SectionKind::array:
+      case SectionKind::blob: return true;
+      case SectionKind::metadata: return meshes.empty();
+      default: return false;
+    }
+  }
+
+  Expected<Done> add_to_scene(const Section& section) {
+    if (pieces_to_come_ > 0)
+      return invalid(section, "expected " + std::to_string(pieces_to_come_) + " more pieces");
+    if (section.kind == SectionKind::document) {
+      if (!meshes.empty() || scene.document || scene.metadata || scene.any_after_meshes())
+        return invalid(section, "a document that is not the first section");
+      return keep(read_document(section), scene.document);
+    }
+    if (section.kind == SectionKind::metadata) {
+      if (scene.metadata || scene.any_after_meshes())
+        return invalid(section, "metadata where none can be");
+      return keep(read_metadata_header(section.payload, section.at), scene.metadata);
+    }
+    if (section.kind == SectionKind::array) {
+      if (!scene.blobs.empty()) return invalid(section, "an array behind blobs");
+      return keep(read_array(section), scene.arrays);
+    }
+    return keep(read_blob(section), scene.blobs);
+  }
+  template <class T>
+  static Expected<Done> keep(Expected<T> read, std::optional<T>& where) {
+    if (!read) return Failure{read.error()};
+    where = std::move(*read);
+    return Done{};
+  }
+  template <class T>
+  static Expected<Done> keep(Expected<T> read, std::vector<T>& where) {
+    if (!read) return Failure{read.error()};
+    where.push_back(std::move(*read));
+    return Done{};
+  }
+
   static Failure<Error> invalid(const Section& section, std::string what) {
     return fail(ErrorCode::invalid, Place::byte, section.at, std::move(what));
   }
@@ -292,7 +351,7 @@ class MeshesReader {
 };
 
 /// What sections become: a mesh or a piece each, and lists of attributes that grow by doubling.
-std::uint64_t tables_memory(const ContainerReader::Tally& tally) {
+std::uint64_t meshes_memory(const ContainerReader::Tally& tally) {
   const std::uint64_t pieces = tally.count(SectionKind::mesh),
                       attributes = tally.count(SectionKind::attribute);
   return pieces * (sizeof(PieceSections) + 3 * sizeof(MeshSections)) +
@@ -329,11 +388,11 @@ void PieceSections::keep_attributes(const std::vector<bool>& wanted) {
   attributes.resize(count);
 }
 
-Expected<std::vector<MeshSections>> read_meshes(ContainerReader& file, const Limits& limits,
-                                                Budget& budget) {
+Expected<FileSections> read_sections(ContainerReader& file, const Limits& limits, Budget& budget) {
   if (auto ok = file.open(); !ok) return Failure{ok.error()};
   const ContainerReader::Tally tally = file.tally();
-  if (auto ok = budget.take(tables_memory(tally)); !ok) return Failure{ok.error()};
+  if (auto ok = budget.take(meshes_memory(tally) + tables_memory(tally)); !ok)
+    return Failure{ok.error()};
   MeshesReader reader(limits, tally.count(SectionKind::mesh));
   for (bool more = true; more;) {
     auto section = file.next();
@@ -348,7 +407,11 @@ Expected<std::vector<MeshSections>> read_meshes(ContainerReader& file, const Lim
   for (const MeshSections& mesh : reader.meshes)
     if (mesh.metadata)
       if (auto ok = budget.take(mesh.metadata->memory()); !ok) return Failure{ok.error()};
-  return std::move(reader.meshes);
+  if (reader.scene.metadata)
+    if (auto ok = budget.take(reader.scene.metadata->memory()); !ok) return Failure{ok.error()};
+  if (auto ok = check_vertices_of(reader.scene, reader.meshes.size()); !ok)
+    return Failure{ok.error()};
+  return FileSections{std::move(reader.meshes), std::move(reader.scene)};
 }
 
 }  // namespace clers::internal

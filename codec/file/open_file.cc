@@ -25,13 +25,15 @@ Expected<MeshInfo> info_of(const MeshSections& s, bool with_metadata) {
   mesh.attributes.reserve(s.pieces[0].attributes.size());
   for (const PieceSections& piece : s.pieces) {
     mesh.copied_vertices += piece.copies.copies;
+    mesh.welded_vertices += piece.vertices - piece.places;
     mesh.repeated_faces += piece.repeats.faces;
     mesh.degenerate_faces += piece.folded.faces + piece.degenerate.faces;
     mesh.connectivity_bytes += piece.payload_size + piece.seam_size;
     mesh.polygon_bytes += piece.polygons.stream.bytes.size();
     mesh.stitching_bytes += piece.reversed.stream.bytes.size() + piece.copies.stream.bytes.size() +
                             piece.repeats.stream.bytes.size() + piece.folded.stream.bytes.size() +
-                            piece.degenerate.stream.bytes.size() + piece.seam_size;
+                            piece.degenerate.stream.bytes.size() +
+                            piece.points.stream.bytes.size() + piece.seam_size;
     for (std::size_t i = 0; i < piece.attributes.size(); ++i) {
       const PieceSections::AttributeSection& a = piece.attributes[i];
       AttributeInfo what = info_of(a.header);
@@ -59,11 +61,12 @@ Expected<MeshInfo> info_of(const MeshSections& s, bool with_metadata) {
 }  // namespace
 
 Expected<OpenFile> open_file(std::span<const std::byte> bytes, const Limits& limits) {
-  OpenFile result{{}, 0, 0, bytes.size(), Budget(limits, bytes.size())};
+  OpenFile result{{}, {}, 0, 0, bytes.size(), Budget(limits, bytes.size())};
   ContainerReader file(bytes);
-  auto meshes = read_meshes(file, limits, result.budget);
-  if (!meshes) return Failure{meshes.error()};
-  result.meshes = std::move(*meshes);
+  auto sections = read_sections(file, limits, result.budget);
+  if (!sections) return Failure{sections.error()};
+  result.meshes = std::move(sections->meshes);
+  result.scene = std::move(sections->scene);
   result.minor = file.minor();
   result.level = file.level();
   return result;
@@ -80,7 +83,7 @@ std::uint64_t info_memory(const OpenFile& file) {
       most = std::max(most, describing_memory(a.bytes, a.header, a.values()));
     }
   }
-  return memory + most;
+  return memory + most + info_memory(file.scene);
 }
 
 Expected<FileInfo> info_of(const OpenFile& file, bool metadata) {
@@ -97,6 +100,10 @@ Expected<FileInfo> info_of(const OpenFile& file, bool metadata) {
                            mesh->metadata_bytes;
     info.meshes.push_back(std::move(*mesh));
   }
+  auto scene = describe(file.scene, metadata);
+  if (!scene) return Failure{scene.error()};
+  info.scene = std::move(*scene);
+  info.overhead_bytes -= info.scene.bytes();
   return info;
 }
 
