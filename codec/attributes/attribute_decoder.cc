@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "codec/attributes/charts.h"
 #include "codec/attributes/integer_planes.h"
 #include "codec/attributes/mixed_coder.h"
 #include "codec/attributes/named_values_decoder.h"
@@ -77,9 +78,18 @@ Rows make_rows(const Numbers& numbers, std::size_t count) {
 
 /// Integers of residuals, or of what codes them along the surface.
 template <class Int>
-Expected<Done> finish_integers(const AttributeHeader& header, OrderPredictor predictor,
-                               std::span<const std::byte> coded, std::uint64_t at,
-                               const ValueSurface& along, const Lattice<Int>& lattice) {
+Expected<Done> finish_integers(const AttributeHeader& header, const Numbers& numbers,
+                               OrderPredictor predictor, std::span<const std::byte> coded,
+                               std::uint64_t at, const ValueSurface& along,
+                               const Lattice<Int>& lattice) {
+  if (header.coder == Coder::normals) {
+    if (!may_be_normals(numbers, along))
+      return fail(ErrorCode::invalid, Place::byte, at,
+                  "a coder of normals for numbers that are none, or without positions");
+    return decode_normals<Int>(coded, at, numbers, along, lattice.rows);
+  }
+  if (header.coder == Coder::charts)
+    return decode_charts<Int>(coded, at, numbers.axes, along, lattice.rows);
   const CodedSurface& surface = along.surface;
   if (header.coder == Coder::mixed) return decode_mixed(coded, at, surface, lattice);
   if (header.coder == Coder::sized) return decode_sized_positions(coded, at, surface, lattice);
@@ -170,11 +180,10 @@ Expected<Attribute> finish_attribute(std::span<const std::byte> bytes, std::uint
   const auto ok = std::visit(
       [&](auto& rows) -> Expected<Done> {
         const auto lattice = lattice_of(rows, axes);
-        const auto done =
-            header.coder == Coder::normals
-                ? decode_normals(coded, coded_at, begun.numbers->numbers(), along, std::span(rows))
-                : finish_integers(header, begun.predictor, coded, coded_at, along, lattice);
-        if (!done) return done;
+        if (auto done = finish_integers(header, begun.numbers->numbers(), begun.predictor, coded,
+                                        coded_at, along, lattice);
+            !done)
+          return done;
         attribute.data.resize(static_cast<std::size_t>(count) * attribute.stride());
         return begun.numbers->to_values(rows, attribute.data);
       },
@@ -201,6 +210,7 @@ AttributeMemory decoding_memory(std::span<const std::byte> bytes, const Attribut
       header.coder == Coder::named
           ? named_values_memory(count, header.attribute.components, surface.vertices)
       : header.coder == Coder::normals ? normals_memory(count, surface.positions)
+      : header.coder == Coder::charts  ? charts_memory(count, surface.positions)
       : header.coder == Coder::sized
           ? sized_positions_memory(integers_of(bytes, header), count, surface.triangles)
           : mixed_memory(count, surface.triangles);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "codec/attributes/attribute_format.h"
+#include "codec/attributes/charts.h"
 #include "codec/attributes/integer_planes.h"
 #include "codec/attributes/mixed_coder.h"
 #include "codec/attributes/named_values_encoder.h"
@@ -57,9 +58,12 @@ class AttributeEncoder {
   Expected<EncodedAttribute> run(const AttributePlan& plan) {
     header_.error = plan.error;
     header_.measure = plan.measure;
+    if (plan.integers_of) header_.attribute.scalar = *plan.integers_of;
     NumberedValues numbered =
         plan.systems.empty()
             ? number_values(attribute_.data, attribute_.scalar, attribute_.components, level_)
+        : plan.integers_of
+            ? put_integers(attribute_.data, *plan.integers_of, plan.systems)
             : put_into_systems(attribute_.data, attribute_.scalar, plan.systems, level_);
     header_.narrow = numbered.numbers.narrow();
     if (level_ >= 5 && may_be_normals(numbered.numbers, along_)) normals(plan, numbered);
@@ -110,6 +114,8 @@ class AttributeEncoder {
     if (!is_position && level_ >= 5)
       take(Coder::named, encode_named_values(lattice, surface_of(header_, lattice.count(), along_),
                                              header_.coded_domain()));
+    if (!is_position && level_ >= 5 && of_vertices() && attribute_.components == 2)
+      take(Coder::charts, encode_charts(lattice, along_, level_));
     if (is_position && level_ == 9) take(Coder::mixed, encode_mixed(surface_, lattice));
     if (is_position && level_ >= 7)
       take(Coder::sized, encode_sized_positions(surface_, lattice, VisitOrder::parallelograms));
@@ -128,7 +134,7 @@ class AttributeEncoder {
     // Positions that repeat themselves may do so in single components, which that coder looks for.
     if (is_position && best_.info.coder == name(Coder::planes)) {
       ranks_to_integers(lattice);
-      take(Coder::named, encode_named_values(lattice, surface_, Domain::vertex));
+      take(Coder::named, encode_named_values(lattice, along_, Domain::vertex));
     }
     return Done{};
   }

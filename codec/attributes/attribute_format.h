@@ -31,13 +31,14 @@ enum class Coder : std::uint8_t {
   sized = 3,    ///< positions by contexts of sizes (levels 5 to 9)
   mixed = 4,    ///< positions by experts, mixed (level 9)
   named = 5,    ///< anything else by contexts of sizes (levels 5 to 9)
+  charts = 6,   ///< texture coordinates by the shape of the surface (levels 5 to 9)
   normals = 7,  ///< directions by formulas of the geometry (levels 5 to 9)
 };
 inline constexpr unsigned coder_count = 8;
 
 constexpr const char* name(Coder c) {
   constexpr const char* names[coder_count] = {"words", "planes", "ordered", "sized",
-                                              "mixed", "named",  "",        "normals"};
+                                              "mixed", "named",  "charts",  "normals"};
   return names[static_cast<unsigned>(c)];
 }
 
@@ -92,7 +93,7 @@ struct AttributeHeader {
 enum class Along : std::uint8_t { nothing, surface, twins };
 inline Along along(const AttributeHeader& header) {
   if (header.attribute.domain == Domain::corner)
-    return header.structure.any || header.coder == Coder::named ? Along::twins : Along::nothing;
+    return header.structure.any || header.coder >= Coder::named ? Along::twins : Along::nothing;
   if (header.attribute.domain != Domain::vertex) return Along::nothing;
   if (header.in_planes())
     return header.predictor == Predictor::parallelogram || header.structure.any ? Along::surface
@@ -118,12 +119,12 @@ inline AttributeInfo info_of(const AttributeHeader& header) {
 
 /// The surface that so many values are predicted along: where it has the corners of all values, or
 /// their vertices.
-inline CodedSurface surface_of(const AttributeHeader& header, std::size_t count,
+inline ValueSurface surface_of(const AttributeHeader& header, std::size_t count,
                                const ValueSurface& along) {
   const Domain domain = header.coded_domain();
   const bool on_surface = domain == Domain::vertex ||
                           (domain == Domain::corner && along.surface.corners.size() == count);
-  return on_surface ? along.surface : CodedSurface{};
+  return on_surface ? along : ValueSurface{};
 }
 
 inline void put_attribute_header(Bytes& out, const AttributeHeader& header) {
@@ -175,7 +176,7 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
     return fail(ErrorCode::invalid, Place::byte, at, std::move(fault));
   if (scalar >= scalar_count) return invalid("scalar type", scalar);
   if (components == 0) return invalid("components", components);
-  if (coder >= coder_count || coder == 6) return invalid("coder", coder);
+  if (coder >= coder_count) return invalid("coder", coder);
   const bool for_positions = coder == static_cast<std::uint32_t>(Coder::sized) ||
                              coder == static_cast<std::uint32_t>(Coder::mixed);
   if (for_positions && (components != 3 || header.structure.any ||
@@ -188,6 +189,11 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
        (of_corners && !header.structure.any)))
     return fail(ErrorCode::invalid, Place::byte, at,
                 "a coder of normals, which must be three components along a surface");
+  if (coder == static_cast<std::uint32_t>(Coder::charts) &&
+      (components != 2 || domain == static_cast<std::uint32_t>(Domain::face) ||
+       (of_corners && !header.structure.any)))
+    return fail(ErrorCode::invalid, Place::byte, at,
+                "a coder of charts, which must be two components along a surface");
   if (changed && !(header.error > 0 && std::isfinite(header.error)))
     return fail(ErrorCode::invalid, Place::byte, at, "an attribute with an error that is none");
   if (by_angle && (!changed || components != 3))

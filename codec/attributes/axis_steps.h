@@ -66,6 +66,9 @@ class AxisSteps<Narrow> {
     return std::clamp<std::int64_t>(x, 0, static_cast<std::int64_t>(top_[i]));
   }
 
+  /// What is coded as no difference from x, which is within.
+  std::int64_t nearest(unsigned, std::int64_t x) const { return x; }
+
   /// The mean of n, of which all but one add up to `off`, in quarters.
   CLERS_ALWAYS_INLINE std::int64_t quarters(std::int32_t off, unsigned n) const {
     static constexpr int parts[] = {0, 0, 256, 171};
@@ -155,6 +158,12 @@ class AxisSteps<Wide> {
 
   std::int64_t within(unsigned i, std::int64_t x) const {
     return std::clamp<std::int64_t>(x, 0, steps_[i].top);
+  }
+
+  std::int64_t nearest(unsigned i, std::int64_t x) const {
+    const auto& palette = steps_[i].palette;
+    if (palette.empty()) return x;
+    return static_cast<std::int64_t>(palette[static_cast<std::size_t>(nearest_rank(palette, x))]);
   }
 
   std::int64_t quarters(std::int64_t off, unsigned n) const {

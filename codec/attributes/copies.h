@@ -110,6 +110,13 @@ class Copies {
     return true;
   }
 
+  /// The original of a vertex, if it is known. Where nothing has twins there are none at all.
+  std::uint32_t original(std::uint32_t v) const {
+    if (v >= known_.size()) return none;
+    const std::uint32_t w = originals_->of[v];
+    return w != none && known_[w] ? w : none;
+  }
+
   /// How long the error of a guess is about now, as the number of its bits times 16.
   unsigned expected() const { return errors_[best()]; }
 
@@ -148,13 +155,6 @@ class Copies {
   enum Way : unsigned { middle, corner, plain, ways };
 
   const Int* row(std::uint32_t v) const { return rows_ + 3 * std::size_t(v); }
-
-  /// The original of a vertex, if it is known. Where nothing has twins there are none at all.
-  std::uint32_t original(std::uint32_t v) const {
-    if (v >= known_.size()) return none;
-    const std::uint32_t w = originals_->of[v];
-    return w != none && known_[w] ? w : none;
-  }
 
   unsigned best() const {
     return static_cast<unsigned>(std::min_element(errors_.begin(), errors_.end()) -

@@ -10,6 +10,8 @@
 #include <span>
 #include <vector>
 
+#include "codec/attributes/last_at_vertex.h"
+#include "codec/attributes/value_surface.h"
 #include "codec/connectivity/coded_surface.h"
 #include "codec/mesh.h"
 #include "topology/ids.h"
@@ -26,6 +28,7 @@ struct Nearby {
   std::size_t count = 0;
   std::uint32_t a = none, b = none, c = none;  ///< of the gate's parallelogram, a + b - c, or none
   std::uint32_t before = none;                 ///< the value coded before
+  std::uint32_t same = none;                   ///< that coded last at the same vertex
 
   void add(std::uint32_t u) {
     for (std::size_t i = 0; i < count; ++i)
@@ -40,9 +43,11 @@ struct Nearby {
 /// introduces a vertex is looked at. It ends with the first visit that returns false, and says so.
 /// Cost: linear.
 template <class Visit>
-bool for_each_with_nearby(const CodedSurface& surface, std::size_t values, std::size_t most,
+bool for_each_with_nearby(const ValueSurface& along, std::size_t values, std::size_t most,
                           Visit visit) {
+  const CodedSurface& surface = along.surface;
   std::vector<bool> known(values);
+  LastAtVertex last(along.vertex_of);
   std::uint32_t before = Nearby::none;
   std::size_t left = std::min(most, values);
   const auto at = [&](HalfEdge h) { return surface.corners[h.index()]; };
@@ -50,7 +55,9 @@ bool for_each_with_nearby(const CodedSurface& surface, std::size_t values, std::
   Nearby nearby;
   const auto go_to = [&](std::uint32_t v) {
     nearby.before = before;
+    nearby.same = last(v);
     known[v] = true;
+    last.coded(v);
     before = v;
     --left;
     return visit(v, static_cast<const Nearby&>(nearby));
@@ -140,11 +147,11 @@ bool for_each_corner_with_nearby(const CodedSurface& surface, std::size_t most, 
 /// What lies where: values of vertices along their surface, of corners at its vertices if they are
 /// as many as its corners are, and others by number.
 template <class Visit>
-bool for_each_nearby(Domain domain, const CodedSurface& surface, std::size_t values,
-                     std::size_t most, Visit visit) {
-  if (domain == Domain::corner && surface.corners.size() == values)
-    return for_each_corner_with_nearby(surface, most, visit);
-  return for_each_with_nearby(domain == Domain::vertex ? surface : CodedSurface(), values, most,
+bool for_each_nearby(Domain domain, const ValueSurface& along, std::size_t values, std::size_t most,
+                     Visit visit) {
+  if (domain == Domain::corner && along.surface.corners.size() == values)
+    return for_each_corner_with_nearby(along.surface, most, visit);
+  return for_each_with_nearby(domain == Domain::vertex ? along : ValueSurface(), values, most,
                               visit);
 }
 

@@ -1,6 +1,7 @@
 // Finds the symmetry by which most vertices are images of others. Mirrors by votes: two vertices
 // that agree in two coordinates vote for the sum of the third ones; the sums with the most votes
-// are tried. Turns about the middle alone.
+// are tried. Turns about the middle of all, and about where votes say: two vertices that agree in
+// one coordinate vote for the sums of the two others.
 #include "codec/attributes/mirror.h"
 
 #include <algorithm>
@@ -18,6 +19,8 @@ constexpr std::size_t sample = 4096;
 constexpr std::size_t few_parts = 8, least_few = 128;
 // Where so many agree in two coordinates, as on the walls of a box, their sums say little.
 constexpr std::size_t crowd = 40;
+// The same where they agree in one coordinate.
+constexpr std::size_t layer_crowd = 12;
 // Sums that are tried on an axis, and the part of all votes without which one is not.
 constexpr std::size_t candidates = 4, least_votes = 50;
 
@@ -60,24 +63,24 @@ struct Voter {
   std::uint64_t line, x;
 };
 
-/// Rows, by the line along the axis that they are on.
-template <class Int>
-std::vector<Voter> voters(std::span<const Int> rows, std::size_t axis) {
+/// Coordinates on an axis, by the line that they are on.
+template <class Int, class Line>
+std::vector<Voter> voters(std::span<const Int> rows, std::size_t axis, Line line) {
   std::vector<Voter> found;
   found.reserve(rows.size() / 3);
   for (std::size_t i = 0; i < rows.size(); i += 3)
-    found.push_back({line_of(&rows[i], axis), static_cast<std::uint64_t>(rows[i + axis])});
+    found.push_back({line(&rows[i]), static_cast<std::uint64_t>(rows[i + axis])});
   std::sort(found.begin(), found.end(),
             [](const Voter& a, const Voter& b) { return a.line < b.line; });
   return found;
 }
 
 /// The sums that get the most votes, with those of the sums beside them.
-std::vector<std::uint64_t> elected(const std::vector<Voter>& voters) {
+std::vector<std::uint64_t> elected(const std::vector<Voter>& voters, std::size_t many = crowd) {
   std::vector<std::uint64_t> sums;
   for (std::size_t from = 0, to; from < voters.size(); from = to) {
     for (to = from; to < voters.size() && voters[to].line == voters[from].line;) ++to;
-    if (to - from >= crowd) continue;
+    if (to - from >= many) continue;
     for (std::size_t i = from; i < to; ++i)
       for (std::size_t j = i + 1; j < to; ++j) sums.push_back(voters[i].x + voters[j].x);
   }
@@ -155,8 +158,9 @@ std::optional<Symmetry> find_mirror(const Lattice<Int>& lattice) {
   // Mirrors.
   std::array<Best, 3> mirrors;
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
-    const auto [rows, few] = chosen(lattice, [&](const Int* row) { return line_of(row, axis); });
-    for (const std::uint64_t sum : elected(voters<Int>(rows, axis)))
+    const auto line = [&](const Int* row) { return line_of(row, axis); };
+    const auto [rows, few] = chosen(lattice, line);
+    for (const std::uint64_t sum : elected(voters<Int>(rows, axis, line)))
       try_one(mirrors[axis], {axis, sum}, rows, few);
   }
   // Two of them, and turns about the middle of all.
@@ -172,20 +176,27 @@ std::optional<Symmetry> find_mirror(const Lattice<Int>& lattice) {
   Best others;
   for (std::uint32_t axis = 0; axis < 3; ++axis) {
     const std::uint32_t axis2 = (axis + 1) % 3, kept = (axis + 2) % 3;
-    const auto [rows, few] =
-        chosen(lattice, [&](const Int* row) { return static_cast<std::uint64_t>(row[kept]); });
+    const auto layer = [&](const Int* row) { return static_cast<std::uint64_t>(row[kept]); };
+    const auto [rows, few] = chosen(lattice, layer);
     if (rows.empty()) continue;
     if (mirrors[axis].symmetry && mirrors[axis2].symmetry)
       try_one(others,
               {axis, mirrors[axis].symmetry->sum, Symmetry::mirrors, mirrors[axis2].symmetry->sum},
               rows, few);
-    try_one(others, {axis, sums[axis], Symmetry::half_turn, sums[axis2]}, rows, few);
-    Symmetry turn = {axis, sums[axis], Symmetry::quarter_turn, sums[axis2]};
-    if ((turn.sum + turn.sum2) % 2 != 0) --turn.sum;
-    if (try_one(others, turn, rows, few) == 0) continue;
-    // What rounding may have moved.
-    for (const std::uint64_t by : {std::uint64_t(1), ~std::uint64_t(0)})
-      try_one(others, {axis, turn.sum + by, Symmetry::quarter_turn, turn.sum2 + by}, rows, few);
+    std::vector<std::array<std::uint64_t, 2>> centres = {{sums[axis], sums[axis2]}};
+    const auto x = elected(voters<Int>(rows, axis, layer), layer_crowd),
+               y = elected(voters<Int>(rows, axis2, layer), layer_crowd);
+    if (!x.empty() && !y.empty() && (x[0] != sums[axis] || y[0] != sums[axis2]))
+      centres.push_back({x[0], y[0]});
+    for (const auto& [sum, sum2] : centres) {
+      try_one(others, {axis, sum, Symmetry::half_turn, sum2}, rows, few);
+      Symmetry turn = {axis, sum, Symmetry::quarter_turn, sum2};
+      if ((turn.sum + turn.sum2) % 2 != 0) --turn.sum;
+      if (try_one(others, turn, rows, few) == 0) continue;
+      // What rounding may have moved.
+      for (const std::uint64_t by : {std::uint64_t(1), ~std::uint64_t(0)})
+        try_one(others, {axis, turn.sum + by, Symmetry::quarter_turn, turn.sum2 + by}, rows, few);
+    }
   }
   // What is chosen by layers may be all flat, so the best are asked of all.
   Best best;

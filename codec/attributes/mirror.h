@@ -17,15 +17,17 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "codec/attributes/around_vertex.h"
+#include "codec/attributes/parallelograms.h"
 #include "codec/attributes/symmetry.h"
 #include "codec/base/portable.h"
 #include "codec/connectivity/coded_surface.h"
 #include "codec/numbers/lattice.h"
-#include "topology/ids.h"
 
 namespace clers::internal {
 
@@ -71,10 +73,29 @@ class Mirror {
   /// greatest top. It is not clamped.
   Int image(std::uint32_t w, std::size_t c) const { return maps_.image(guessed_by_, row(w), c); }
 
-  /// Whose image the next vertex will be: known, around the partners of a or b, and of those the
-  /// one whose image is nearest to the prediction. Or nobody. Preconditions: a and b are known;
-  /// predictions are within -T .. 2 T.
-  CLERS_ALWAYS_INLINE std::uint32_t guess(std::uint32_t a, std::uint32_t b, const Int* prediction) {
+  /// Whose image the next vertex will be, by connectivity: the vertex that completes a triangle
+  /// with the partners of a and b, if it is free and its image is not farther from a + b - c than
+  /// the length of a-b, or than half of it if `strictly`. Or nobody. Precondition: a, b and c are
+  /// known.
+  std::uint32_t guess(std::uint32_t a, std::uint32_t b, std::uint32_t c, bool strictly) {
+    const std::uint32_t q = partner_[a], p = partner_[b];
+    if (q >= nothing || p >= nothing || ((state_[a] ^ state_[b]) & 3) != 0) return nobody;
+    guessed_by_ = state_[a] & 3u;
+    if (surface_.twins.empty()) return nobody;
+    const std::uint32_t w = beyond(q, p, guessed_by_);
+    if (w == nobody) return nobody;
+    std::int64_t off = 0, length = 8;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::int64_t d = std::int64_t(image(w, i)) - row(b)[i] - row(a)[i] + row(c)[i];
+      off += std::min(std::abs(d), std::int64_t(1) << 59);  // so that no sum overflows
+      length += std::abs(std::int64_t(row(b)[i]) - row(a)[i]);
+    }
+    return off << strictly <= length ? w : nobody;
+  }
+  /// The same by places: known, around the partners of a or b, and of those the one whose image is
+  /// nearest to the prediction. Or nobody. Preconditions: a and b are known; predictions are within
+  /// -T .. 2 T.
+  std::uint32_t guess(std::uint32_t a, std::uint32_t b, const Int* prediction) {
     const std::uint32_t q = partner_[a], p = partner_[b];
     if ((q >= nothing && p >= nothing) || surface_.twins.empty()) return nobody;
     return nearest(q, state_[a] & 3u, p, state_[b] & 3u, prediction);
@@ -96,8 +117,6 @@ class Mirror {
   static constexpr std::uint32_t nothing = 0xfffffffeu, unknown = 0xffffffffu;
   static constexpr Int nearly = 2;         // how far off a partner may be that was guessed
   static constexpr std::size_t reach = 8;  // slots from that of a place on, for all who are there
-  static constexpr unsigned most_steps = 16;  // around a vertex, in either direction
-  static constexpr unsigned most_around = 2 * most_steps + 1;
 
   static std::uint64_t slots_for(std::uint64_t vertices) {
     return std::bit_ceil(std::max<std::uint64_t>(2 * vertices, 2));
@@ -213,11 +232,11 @@ class Mirror {
     std::uint32_t found[most_around];
     std::size_t count = 0;
     if (q < nothing)
-      around(q, [&](std::uint32_t w) {
+      look_around(surface_, q, [&](std::uint32_t w) {
         if (is_free(w, by_q)) found[count++] = w;
       });
     if (p < nothing && (p != q || by_p != by_q))
-      around(p, [&](std::uint32_t w) {
+      look_around(surface_, p, [&](std::uint32_t w) {
         if (!is_free(w, by_p)) return;
         std::uint32_t* const same =
             by_p == by_q ? std::find(found, found + count, w) : found + count;
@@ -229,26 +248,29 @@ class Mirror {
     return best;
   }
 
-  /// Calls look(w) for the vertices around v, of which there may be more.
-  template <class Look>
-  CLERS_ALWAYS_INLINE void around(std::uint32_t v, const Look& look) const {
-    if (!surface_.has(v)) return;
-    const auto at = [&](HalfEdge h) { return surface_.corners[h.index()]; };
-    HalfEdge first = half_edge(Face(surface_.introduced_by[v]), 0);
-    while (at(first) != v) first = lnext(first);
-    look(at(lnext(first)));
-    HalfEdge h = first;
-    for (unsigned i = 0; i < most_steps; ++i) {
-      look(at(lprev(h)));
-      h = surface_.twins[lprev(h).index()];
-      if (h == first) return;
-      if (!h) break;
+  /// Who completes a triangle with q and p as the image of v does, if it is free.
+  std::uint32_t beyond(std::uint32_t q, std::uint32_t p, unsigned map) const {
+    if (!surface_.has(q)) return nobody;
+    const auto at = [&](std::uint32_t h) { return surface_.corners[h]; };
+    std::uint32_t h = 3 * surface_.introduced_by[q];
+    h += at(h) == q ? 0u : at(h + 1) == q ? 1u : 2u;
+    const std::uint32_t first = h;
+    for (unsigned i = 0; i < most_steps_around; ++i) {
+      const std::uint32_t back = previous_in(h);
+      const HalfEdge across = surface_.twins[back];
+      if (maps_.reverses(map)) {  // to the left of p - q
+        if (at(back) == p) return free_or_nobody(at(next_in(h)), map);
+      } else {  // to the left of q - p
+        if (at(next_in(h)) == p) return free_or_nobody(at(back), map);
+      }
+      if (!across) return nobody;
+      h = across.index();
+      if (h == first) return nobody;
     }
-    h = surface_.twins[first.index()];
-    for (unsigned i = 0; i < most_steps && h; ++i) {
-      look(at(lprev(h)));
-      h = surface_.twins[lnext(h).index()];
-    }
+    return nobody;
+  }
+  std::uint32_t free_or_nobody(std::uint32_t w, unsigned map) const {
+    return is_free(w, map) ? w : nobody;
   }
 
   CodedSurface surface_;

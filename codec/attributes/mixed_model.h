@@ -20,6 +20,7 @@
 #include "codec/attributes/mixed_spread.h"
 #include "codec/attributes/mixed_star.h"
 #include "codec/attributes/mixed_surroundings.h"
+#include "codec/attributes/repetition.h"
 #include "codec/attributes/vector.h"
 #include "codec/numbers/lattice.h"
 
@@ -29,7 +30,7 @@ template <class Int>
 class Model {
  public:
   Model(const CodedSurface& surface, const Lattice<Int>& lattice,
-        const std::optional<Symmetry>& plane, const Originals* originals)
+        const std::optional<Symmetry>& plane, const Originals* originals, Repetition repetition)
       : rows_(lattice.rows.data()),
         axes_(lattice.axes),
         space_(axes_),
@@ -37,7 +38,8 @@ class Model {
         at_(space_.least_size()),
         past_(space_, lattice.count()),
         edge_((space_.bits() - 4) * fixed::octave),
-        lonely_{edge_ - 512, edge_ - 512} {
+        lonely_{edge_ - 512, edge_ - 512},
+        repeated_(repetition, rows_, lattice.count(), surface) {
     const int first = edge_ - 1024;
     if (plane) image_.emplace(*plane, space_, axes_, rows_, lattice.count(), surface, first);
     if (originals) copy_.emplace(*originals, space_, axes_, rows_, first);
@@ -56,11 +58,12 @@ class Model {
       at_.look(point_, star);
       edge_ += (at_.edge - edge_) >> 5;
       predict(stars, v, star);
-      if (!code_components(coder, v)) return false;
+      if (!code_components(coder, v, code_repeated(coder, v, star))) return false;
       learn(v);
     }
     if (image_) image_->known(v);
     if (copy_) copy_->known(v);
+    repeated_.known(v);
     return true;
   }
 
@@ -120,8 +123,27 @@ class Model {
     return std::clamp(scale + at_.frame.octaves(), std::max(ruler.step() - 512, 256), 36 * 256);
   }
 
+  /// Which components of v are those of other vertices, a bit for each, if it is no copy and no
+  /// image.
   template <class Coder>
-  bool code_components(Coder& coder, std::uint32_t v) {
+  unsigned code_repeated(Coder& coder, std::uint32_t v, const Star& star) {
+    if (!repeated_.any() || copied()) return 0;
+    const auto [a, b, c] = star.parallelogram[0];
+    const auto at = [&](std::uint32_t u, std::size_t i) {
+      return std::int64_t(rows_[3 * std::size_t(u) + i]);
+    };
+    std::array<std::int64_t, 3> ends;
+    for (std::size_t i = 0; i < 3; ++i) ends[i] = at(a, i) + at(b, i) - at(c, i);
+    const std::uint32_t d = star.ring_size > 2 ? star.ring[2] : v,
+                        e = star.ring_size > 3 ? star.ring[star.ring_size - 1] : v;
+    return repeated_.code({v, a, b, c, d, e}, ends, [&](unsigned, BitModel& model, bool yes) {
+      return coder.bit(model, yes);
+    });
+  }
+
+  /// All but those that are `done`.
+  template <class Coder>
+  bool code_components(Coder& coder, std::uint32_t v, unsigned done) {
     std::array<Vector, experts> missed;
     Context context;
     context.support = std::min(at_.count, 3u);
@@ -150,7 +172,8 @@ class Model {
       context.missed = k == 0 ? 0 : farthest < 64 ? 0 : farthest < 128 ? 1 : farthest < 256 ? 2 : 3;
       context.scale = scale_context(opinions[lead], ruler);
       mixing_.set(context);
-      if (!code_one(coder, ruler, opinions, lead, v, c)) return false;
+      if ((done >> c & 1) == 0 && !code_one(coder, ruler, opinions, lead, v, c)) return false;
+      set_place(v, c);
       farthest = std::max(farthest, distance(opinions[lead], place_[c]));
       const auto far_off = [&](unsigned i, int scale) {
         const int usual = std::max(scale, space_.step(c));
@@ -194,8 +217,12 @@ class Model {
                                     mirrored() ? experts : mirror_image);
     if (!component.code(opinions[lead], value)) return false;
     integer = static_cast<Int>(value);
-    place_[c] = Frame::scaled(space_.coordinate(c, integer) - at_.frame.origin[c], at_.frame.finer);
     return true;
+  }
+  /// Component c of v is known.
+  void set_place(std::uint32_t v, std::size_t c) {
+    const Int integer = rows_[3 * std::size_t(v) + c];
+    place_[c] = Frame::scaled(space_.coordinate(c, integer) - at_.frame.origin[c], at_.frame.finer);
   }
 
   void learn(std::uint32_t v) {
@@ -231,6 +258,7 @@ class Model {
       context.scale = scale_context(opinions[0], ruler);
       mixing_.set(context);
       if (!code_one(coder, ruler, opinions, corrected_mean, v, c)) return false;
+      set_place(v, c);
     }
     scale += static_cast<int>(excess(at_.size(place_ - from), scale)) / 4;
     past_.remember(v, edge_ - 512);
@@ -253,6 +281,7 @@ class Model {
   Mixing mixing_;
   std::optional<ImageExpert<Int>> image_;
   std::optional<CopyExpert<Int>> copy_;
+  RepeatedCoordinates<Int> repeated_;
 
   // Of the vertex that is coded.
   std::array<Vector, experts> means_;

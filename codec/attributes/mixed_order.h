@@ -19,8 +19,9 @@ namespace clers::internal::mixed {
 /// Returns what is wrong.
 template <class Coder, class Int>
 std::string code_all(Coder& coder, const CodedSurface& surface, const Lattice<Int>& lattice,
-                     const std::optional<Symmetry>& plane, const Originals* originals) {
-  Model<Int> model(surface, lattice, plane, originals);
+                     const std::optional<Symmetry>& plane, const Originals* originals,
+                     Repetition repetition) {
+  Model<Int> model(surface, lattice, plane, originals, repetition);
   Star star;
   const Stars stars(surface);
   std::uint32_t before = no_vertex;

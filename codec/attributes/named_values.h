@@ -60,6 +60,7 @@ class NamedValueCoder {
 
   /// Codes value v. False if an integer that is decoded is not in 0 .. top.
   bool code(std::uint32_t v, const Nearby& nearby) {
+    if (nearby.same != Nearby::none && code_same(v, nearby.same)) return true;
     if (model_.repeats == Repeats::values && code_repeat(v, nearby)) return true;
     if (model_.predictor == NamedPredictor::symbol) return code_symbols(v);
     std::int64_t first_off = 0, sum_off = 0;
@@ -213,6 +214,20 @@ class NamedValueCoder {
                       rows_.begin() + static_cast<std::ptrdiff_t>(width_ * u));
   }
 
+  /// Whether the value is that which was coded last at its vertex.
+  bool code_same(std::uint32_t v, std::uint32_t u) {
+    const bool is_same = coder_.bit(same_[last_same_], Coder::encodes && same(v, u));
+    last_same_ = (2 * last_same_ + is_same) % 4;
+    if (!is_same) return false;
+    for (std::size_t c = 0; c < width_; ++c) {
+      at(v, c) = at(u, c);
+      sizes_[v * width_ + c] = sizes_[u * width_ + c];
+    }
+    const std::size_t n = repeated_.size() * width_ / rows_.size();  // 1, or one a component
+    for (std::size_t i = 0; i < n; ++i) repeated_[v * n + i] = repeated_[u * n + i];
+    return true;
+  }
+
   /// Whether the value is one of those around it, and which.
   bool code_repeat(std::uint32_t v, const Nearby& n) {
     std::array<std::uint32_t, 4> different;
@@ -285,6 +300,8 @@ class NamedValueCoder {
   std::vector<LengthModel> by_quarter_, by_component_;
   std::vector<MantissaModel> mantissas_;
   std::vector<SymbolModel> symbols_;
+  BitModel same_[4];
+  unsigned last_same_ = 3;
   BitModel repeat_[2][4][4][4], component_repeat_[4][2][4][8][3];
 };
 

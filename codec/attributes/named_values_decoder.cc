@@ -11,7 +11,7 @@ namespace clers::internal {
 
 template <class Int>
 Expected<Done> decode_named_values(std::span<const std::byte> bytes, std::uint64_t at,
-                                   std::span<const Axis> axes, const CodedSurface& surface,
+                                   std::span<const Axis> axes, const ValueSurface& along,
                                    std::span<Int> rows, Domain domain) {
   const std::size_t components = axes.size(), values = rows.size() / components;
   const auto invalid = [&](std::string what) {
@@ -37,7 +37,7 @@ Expected<Done> decode_named_values(std::span<const std::byte> bytes, std::uint64
   auto decoded = decode_stream(stream, "the values", [&](DecodeFrom& coder) {
     NamedValueCoder<Int, DecodeFrom> coded(coder, model, tops, rows);
     const bool ok = for_each_nearby(
-        domain, surface, values, values,
+        domain, along, values, values,
         [&](std::uint32_t v, const Nearby& nearby) { return coded.code(v, nearby); });
     return std::string(ok ? "" : "a value beyond the greatest");
   });
@@ -57,10 +57,10 @@ std::uint64_t named_values_memory(std::uint64_t values, std::uint64_t components
 }
 
 template Expected<Done> decode_named_values(std::span<const std::byte>, std::uint64_t,
-                                            std::span<const Axis>, const CodedSurface&,
+                                            std::span<const Axis>, const ValueSurface&,
                                             std::span<std::int32_t>, Domain);
 template Expected<Done> decode_named_values(std::span<const std::byte>, std::uint64_t,
-                                            std::span<const Axis>, const CodedSurface&,
+                                            std::span<const Axis>, const ValueSurface&,
                                             std::span<std::int64_t>, Domain);
 
 }  // namespace clers::internal

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "codec/connectivity/coded_surface.h"
+#include "codec/attributes/value_surface.h"
 #include "codec/error.h"
 #include "codec/mesh.h"
 #include "codec/numbers/lattice.h"
@@ -18,7 +18,7 @@ namespace clers::internal {
 /// truncated, invalid. Cost: linear; memory: named_values_memory. Throws std::bad_alloc only.
 template <class Int>
 Expected<Done> decode_named_values(std::span<const std::byte> bytes, std::uint64_t at,
-                                   std::span<const Axis> axes, const CodedSurface& surface,
+                                   std::span<const Axis> axes, const ValueSurface& along,
                                    std::span<Int> rows, Domain domain = Domain::vertex);
 
 /// Bytes that decode_named_values allocates; `vertices` are those of values of corners, else 0.

@@ -16,29 +16,29 @@ constexpr std::size_t sample = 12288;
 
 template <class Int, class Coder>
 void code_all(Coder& coder, const NamedModel& model, std::span<const std::uint64_t> tops,
-              std::span<Int> rows, const CodedSurface& surface, Domain domain, std::size_t most) {
+              std::span<Int> rows, const ValueSurface& along, Domain domain, std::size_t most) {
   NamedValueCoder<Int, Coder> values(coder, model, tops, rows);
-  for_each_nearby(domain, surface, rows.size() / tops.size(), most,
+  for_each_nearby(domain, along, rows.size() / tops.size(), most,
                   [&](std::uint32_t v, const Nearby& nearby) { return values.code(v, nearby); });
 }
 
 /// First what values are predicted by, then the rest.
 template <class Int>
 NamedModel choose_model(std::span<const std::uint64_t> tops, std::span<Int> rows,
-                        const CodedSurface& surface, Domain domain) {
+                        const ValueSurface& along, Domain domain) {
   std::uint64_t least = ~std::uint64_t(0);
   NamedModel best;
   const auto try_one = [&](const NamedModel& model) {
     if (!model.fits(tops.size())) return;
     Measure coder;
-    code_all(coder, model, tops, rows, surface, domain, sample);
+    code_all(coder, model, tops, rows, along, domain, sample);
     if (coder.cost() >= least) return;
     least = coder.cost();
     best = model;
   };
   for (std::uint32_t p = 0; p < named_predictors; ++p) {
     const auto predictor = static_cast<NamedPredictor>(p);
-    if (surface.corners.empty() && predictor > NamedPredictor::before) break;
+    if (along.surface.corners.empty() && predictor > NamedPredictor::before) break;
     for (const Repeats repeats : {Repeats::none, Repeats::values, Repeats::components})
       try_one({predictor, Relation::none, repeats});
   }
@@ -51,7 +51,7 @@ NamedModel choose_model(std::span<const std::uint64_t> tops, std::span<Int> rows
 }  // namespace
 
 template <class Int>
-Bytes encode_named_values(const Lattice<Int>& values, const CodedSurface& surface, Domain domain) {
+Bytes encode_named_values(const Lattice<Int>& values, const ValueSurface& along, Domain domain) {
   Bytes bytes;
   if (values.rows.empty()) return bytes;
   const std::size_t components = values.axes.size();
@@ -66,15 +66,15 @@ Bytes encode_named_values(const Lattice<Int>& values, const CodedSurface& surfac
                                                   static_cast<std::uint64_t>(rows[i])) -
                                  axis.palette.begin());
   }
-  const NamedModel model = choose_model<Int>(tops, rows, surface, domain);
+  const NamedModel model = choose_model<Int>(tops, rows, along, domain);
   put_u8(bytes, number_of(model));
   put_bytes(bytes, encode_stream([&](EncodeTo& coder) {
-              code_all<Int>(coder, model, tops, rows, surface, domain, values.count());
+              code_all<Int>(coder, model, tops, rows, along, domain, values.count());
             }));
   return bytes;
 }
 
-template Bytes encode_named_values(const Lattice<std::int32_t>&, const CodedSurface&, Domain);
-template Bytes encode_named_values(const Lattice<std::int64_t>&, const CodedSurface&, Domain);
+template Bytes encode_named_values(const Lattice<std::int32_t>&, const ValueSurface&, Domain);
+template Bytes encode_named_values(const Lattice<std::int64_t>&, const ValueSurface&, Domain);
 
 }  // namespace clers::internal

@@ -2,7 +2,7 @@
 #ifndef CLERS_CODEC_ATTRIBUTES_NAMED_VALUES_ENCODER_H
 #define CLERS_CODEC_ATTRIBUTES_NAMED_VALUES_ENCODER_H
 
-#include "codec/connectivity/coded_surface.h"
+#include "codec/attributes/value_surface.h"
 #include "codec/entropy/bytes.h"
 #include "codec/mesh.h"
 #include "codec/numbers/lattice.h"
@@ -13,7 +13,7 @@ namespace clers::internal {
 /// those of the mesh, without twins. The model is what does best on the first of them.
 /// Precondition: what lattice.h says. Cost: linear. Throws std::bad_alloc only.
 template <class Int>
-Bytes encode_named_values(const Lattice<Int>& values, const CodedSurface& surface,
+Bytes encode_named_values(const Lattice<Int>& values, const ValueSurface& along,
                           Domain domain = Domain::vertex);
 
 }  // namespace clers::internal

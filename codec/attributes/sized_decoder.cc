@@ -1,5 +1,6 @@
 // Bytes -> positions, in contexts of the sizes of residuals.
 #include "codec/attributes/copies.h"
+#include "codec/attributes/repetition.h"
 #include "codec/attributes/sized_model.h"
 #include "codec/attributes/sized_positions.h"
 #include "codec/attributes/symmetry.h"
@@ -16,9 +17,9 @@ Expected<Done> decode_sized_positions(std::span<const std::byte> bytes, std::uin
   if (!symmetry) return Failure{symmetry.error()};
   LaneDecoder coder(in);
   if (!in.ok()) return Failure{in.error()};
-  if (kind > 3 || (surface.twins.empty() && (kind != 0 || *symmetry)))
+  if (kind >= 4 * repetition_count || (surface.twins.empty() && (kind != 0 || *symmetry)))
     return fail(ErrorCode::invalid, Place::byte, at, "an order of positions that there is not");
-  Guides guides{*symmetry, (kind & 2) != 0, {}};
+  Guides guides{*symmetry, (kind & 2) != 0, {}, static_cast<Repetition>(kind >> 2)};
   if (guides.copies) guides.originals = find_originals(surface);
   const bool valid = with_sized_model(surface, positions, guides, static_cast<VisitOrder>(kind & 1),
                                       [&](auto& model) { return model.code(coder); });
@@ -36,8 +37,9 @@ std::uint64_t sized_positions_memory(std::span<const std::byte> bytes, std::uint
   const auto at = [&](std::size_t i) {
     return i < bytes.size() ? std::to_integer<unsigned>(bytes[i]) : 0u;
   };
-  if (at(0) & 1) sum += visit_order_memory(count);
+  if (at(0) & 1) sum += visit_order_memory(count) + count * sizeof(HalfEdge);
   if (at(0) & 2) sum += originals_memory(count, triangles) + Copies<std::int64_t>::memory(count);
+  sum += RepeatedCoordinates<std::int64_t>::memory(static_cast<Repetition>(at(0) >> 2), count);
   if (at(1)) sum += Mirror<std::int64_t>::memory(count);
   return sum;
 }

@@ -9,17 +9,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <optional>
 #include <type_traits>
 #include <vector>
 
 #include "codec/attributes/axis_steps.h"
-#include "codec/attributes/copies.h"
-#include "codec/attributes/mirror.h"
 #include "codec/attributes/parallelograms.h"
+#include "codec/attributes/repetition.h"
 #include "codec/attributes/residual_sizes.h"
+#include "codec/attributes/sized_around.h"
+#include "codec/attributes/sized_guides.h"
 #include "codec/attributes/sized_positions.h"
-#include "codec/attributes/symmetry.h"
 #include "codec/attributes/triples.h"
 #include "codec/attributes/visit_order.h"
 #include "codec/base/portable.h"
@@ -30,13 +29,6 @@
 #include "topology/ids.h"
 
 namespace clers::internal {
-
-/// What is known of a shape beforehand.
-struct Guides {
-  std::optional<Symmetry> symmetry;
-  bool copies = false;
-  Originals originals;  ///< if there are copies
-};
 
 /// Codes the positions along a surface. Int is that of the rows; Triple what geometry is computed
 /// in: Narrow where all axes have one scale, no palette, and tops below narrow_top; else Wide.
@@ -59,6 +51,7 @@ template <class Int, class Triple, VisitOrder order>
 class SizedModel {
   static constexpr bool wide = std::is_same_v<Triple, Wide>;
   using Record = Quadruple<typename Triple::Number>;
+  static constexpr std::uint32_t nobody = GuidedCoding<Int, Triple>::nobody;
 
  public:
   SizedModel(const CodedSurface& surface, Lattice<Int> positions, const Guides& guides)
@@ -66,29 +59,26 @@ class SizedModel {
         rows_(positions.rows.data()),
         count_(static_cast<std::uint32_t>(positions.count())),
         steps_(positions.axes),
-        records_(count_) {
-    if (guides.copies) copies_.emplace(guides.originals, rows_, positions.axes);
-    if (guides.symmetry) {
-      mirror_.emplace(*guides.symmetry, rows_, count_, surface);
-      symmetry_axis_ = guides.symmetry->axis;
-    }
-    guided_ = copies_ || mirror_;
-  }
+        records_(count_),
+        guided_(guides, surface, positions, steps_),
+        any_guide_(guided_.any()),
+        repeated_(guides.repeats, rows_, count_, surface),
+        repeats_(repeated_.any()) {}
 
   /// False if no positions are what was decoded.
   template <class Coder>
   bool code(Coder& coder) {
     if constexpr (order == VisitOrder::parallelograms)
-      for_each_by_parallelograms(surface_, [&](HalfEdge h, const Visited&) {
-        code_at(coder, h.index(), next_in(h.index()), previous_in(h.index()));
-      });
+      code_visited(coder);
     else if (surface_.twins.empty())
-      for_each_introduced(surface_, [&](std::uint32_t t, unsigned i) { code_apart(coder, t, i); });
+      for_each_introduced(surface_, [&](std::uint32_t t, unsigned i) {
+        code_across(coder, around_apart(surface_, t, i));
+      });
     else
       code_introduced(coder);
     for (std::uint32_t v = 0; v < count_; ++v)
       if (!surface_.has(v)) code_beside(coder, v, last_);
-    return valid_;
+    return valid_ && guided_.valid();
   }
 
  private:
@@ -96,6 +86,31 @@ class SizedModel {
   /// 2^16, across it. Sizes of a known vertex are not 0.
   static unsigned known(const Record& r) { return r.at[3] != 0; }
   static std::uint32_t sizes(const Record& r) { return static_cast<std::uint32_t>(r.at[3]); }
+
+  /// The order does not ask for values, and comes first. So it is known which memory will be read.
+  template <class Coder>
+  void code_visited(Coder& coder) {
+    std::vector<HalfEdge> visited;
+    visited.reserve(count_);
+    for_each_by_parallelograms(surface_, [&](HalfEdge h, const Visited&) { visited.push_back(h); });
+    constexpr std::size_t many = 32;
+    std::array<Around, many> batch;
+    for (std::size_t begin = 0; begin < visited.size(); begin += many) {
+      const std::size_t end = std::min(begin + many, visited.size());
+      for (std::size_t i = end; i < std::min(end + many, visited.size()); ++i) {
+        fetch(&surface_.corners[visited[i].index()]);
+        fetch(&surface_.twins[visited[i].index()]);
+      }
+      for (std::size_t i = begin; i < end; ++i) {
+        const std::uint32_t h = visited[i].index();
+        const Around x = around(surface_, h, next_in(h), previous_in(h));
+        for (const std::uint32_t u : {x.v, x.a, x.b, x.c, x.d, x.dd, x.e, x.ee})
+          fetch(&records_[u]);
+        batch[i - begin] = x;
+      }
+      for (std::size_t i = begin; i < end; ++i) code_across(coder, batch[i - begin]);
+    }
+  }
 
   /// As for_each_introduced, but corners 0 and 1 are looked at only where they may introduce.
   template <class Coder>
@@ -109,58 +124,24 @@ class SizedModel {
         if (surface_.introduced_by[c[1]] == t && c[1] != c[0]) code_beside(coder, c[1], c[0]);
       }
       if (surface_.introduced_by[c[2]] == t && c[2] != c[1] && c[2] != c[0])
-        code_at(coder, 3 * t + 2, 3 * t, 3 * t + 1);
+        code_across(coder, around(surface_, 3 * t + 2, 3 * t, 3 * t + 1));
     }
-  }
-
-  /// The vertex that half-edge h leaves, where `next` and `previous` are the two after it.
-  template <class Coder>
-  CLERS_ALWAYS_INLINE void code_at(Coder& coder, std::uint32_t h, std::uint32_t next,
-                                   std::uint32_t previous) {
-    const std::uint32_t* corner = surface_.corners.data();
-    const HalfEdge* twin = surface_.twins.data();
-    const std::uint32_t v = corner[h];
-    // What is not there is v itself, which is not known.
-    std::uint32_t c = v, d = v, dd = v, e = v, ee = v;
-    if (const HalfEdge out = twin[next]) [[likely]]
-      c = corner[previous_in(out.index())];
-    if (const HalfEdge out = twin[previous]) [[likely]] {
-      d = corner[previous_in(out.index())];
-      if (const HalfEdge over = twin[next_in(out.index())]) [[likely]]
-        dd = corner[previous_in(over.index())];
-    }
-    if (const HalfEdge in = twin[h]) [[likely]] {
-      const std::uint32_t side = previous_in(in.index());
-      e = corner[side];
-      if (const HalfEdge over = twin[side]) [[likely]]
-        ee = corner[previous_in(over.index())];
-    }
-    code_across(coder, v, corner[next], corner[previous], c, d, dd, e, ee);
-  }
-
-  /// The same where no twins are: by the triangle before, if it has the other two corners.
-  template <class Coder>
-  void code_apart(Coder& coder, std::uint32_t t, unsigned i) {
-    const std::uint32_t* face = surface_.corners.data() + 3 * std::size_t(t);
-    const std::uint32_t v = face[i], a = face[(i + 1) % 3], b = face[(i + 2) % 3];
-    std::uint32_t c = v;
-    for (unsigned k = 0; t > 0 && k < 3; ++k) {
-      const std::uint32_t *before = face - 3, x = before[(k + 1) % 3], y = before[(k + 2) % 3];
-      if ((x == a && y == b) || (x == b && y == a)) c = before[k];
-    }
-    code_across(coder, v, a, b, c, v, v, v, v);
   }
 
   /// v by the parallelograms that are known.
   template <class Coder>
-  CLERS_ALWAYS_INLINE void code_across(Coder& coder, std::uint32_t v, std::uint32_t a,
-                                       std::uint32_t b, std::uint32_t c, std::uint32_t d,
-                                       std::uint32_t dd, std::uint32_t e, std::uint32_t ee) {
+  CLERS_ALWAYS_INLINE void code_across(Coder& coder, const Around& at) {
     if (!valid_) return;
+    const auto [v, a, b, c, d, dd, e, ee] = at;
     const Record *r = records_.data(), &ra = r[a], &rb = r[b], &rc = r[c], &rd = r[d], &rdd = r[dd],
                  &re = r[e], &ree = r[ee];
     if (!(known(ra) & known(rb) & known(rc))) [[unlikely]]
       return code_beside(coder, v, known(rb) ? b : known(ra) ? a : last_);
+    if (any_guide_) [[unlikely]] {
+      const std::uint32_t like =
+          guided_.code(coder, v, a, b, c, order == VisitOrder::parallelograms, alone(coder, v));
+      if (like != nobody) return remember_like(v, like);
+    }
     const unsigned left = known(rd) & known(rdd), right = known(re) & known(ree);
     const unsigned n = 1u + left + right;
 
@@ -194,65 +175,51 @@ class SizedModel {
     const auto slopes = slopes_of(normal[x], normal[y], normal[z], plane - across);
 
     Int* row = rows_ + 3 * std::size_t(v);
-    std::int64_t rx, ry, rz;
-    if (guided_ && code_guided(coder, v, a, b, c, mean)) [[unlikely]] {
-      rx = 4 * std::int64_t(row[x]) - mean[x];
-      ry = 4 * std::int64_t(row[y]) - mean[y];
-      rz = 4 * std::int64_t(row[z]) - mean[z] + steps_.lift(slopes, {rx, ry}, {x, y, z});
-      return remember(v, x, y, z, rx, ry, rz);
+    if (any_guide_ && guided_.asks()) [[unlikely]] {
+      const std::uint32_t like = guided_.code_nearest(coder, v, a, b, mean, alone(coder, v));
+      if (like != nobody) return remember_like(v, like);
     }
     const ResidualContext in_x = steps_.context(x, 0, plane), in_y = steps_.context(y, 0, plane),
                           in_z = steps_.context(z, 1, across);
+    if (repeats_) [[unlikely]] {
+      const unsigned done = repeated_.code(
+          {v, a, b, c, known(rd) ? d : v, known(re) ? e : v},
+          {start.at[0], start.at[1], start.at[2]},
+          [&](unsigned i, BitModel& model, bool yes) { return coder.flag(i, model, yes); });
+      const auto code_rest = [&](unsigned lane, unsigned i, std::int64_t from,
+                                 ResidualContext context) {
+        return done >> i & 1 ? 4 * std::int64_t(row[i]) - from
+                             : code_alone(coder, lane, i, row[i], from, context, n);
+      };
+      const std::int64_t rx = code_rest(0, x, mean[x], in_x), ry = code_rest(1, y, mean[y], in_y),
+                         lift = steps_.lift(slopes, {rx, ry}, {x, y, z});
+      return remember(v, x, y, z, rx, ry, code_rest(2, z, mean[z] - lift, in_z));
+    }
     std::array<std::uint64_t, 3> low{};
     if constexpr (!Coder::encodes) low = coder.bits(in_x.width, in_y.width, in_z.width);
-    rx = code_one(coder, 0, x, row[x], mean[x], in_x, low[0], n);
-    ry = code_one(coder, 1, y, row[y], mean[y], in_y, low[1], n);
+    const std::int64_t rx = code_one(coder, 0, x, row[x], mean[x], in_x, low[0], n);
+    const std::int64_t ry = code_one(coder, 1, y, row[y], mean[y], in_y, low[1], n);
     const std::int64_t lifted = mean[z] - steps_.lift(slopes, {rx, ry}, {x, y, z});
-    rz = code_one(coder, 2, z, row[z], lifted, in_z, low[2], n);
+    const std::int64_t rz = code_one(coder, 2, z, row[z], lifted, in_z, low[2], n);
     remember(v, x, y, z, rx, ry, rz);
   }
 
-  /// v by where a copy or a symmetry says that it is, if they do and it is about there: all the
-  /// same, and without a place in a plane. False if they do not.
+  /// One component whose low bits do not come with those of others.
   template <class Coder>
-  CLERS_NEVER_INLINE bool code_guided(Coder& coder, std::uint32_t v, std::uint32_t a,
-                                      std::uint32_t b, std::uint32_t c, const std::int64_t* mean) {
-    Int* row = rows_ + 3 * std::size_t(v);
-    Int place[3] = {};
-    if (copies_ && copies_->guess(v, a, b, c, place)) {
-      const unsigned size = std::max(copies_->expected() / 4, 4u) - 4;
-      for (unsigned i = 0; i < 3; ++i)
-        code_alone(coder, i, row[i], place[i], ResidualContext(4, size), 1);
-      return true;
-    }
-    if (!mirror_) return false;
-    for (unsigned i = 0; i < 3; ++i) place[i] = static_cast<Int>(steps_.within(i, mean[i] >> 2));
-    guessed_ = mirror_->guess(a, b, place);
-    if (guessed_ == Mirror<Int>::nobody) return false;
-    bool near = true;
-    for (unsigned i = 0; i < 3; ++i) {
-      place[i] = static_cast<Int>(steps_.within(i, mirror_->image(guessed_, i)));
-      if constexpr (Coder::encodes)
-        near = near && magnitude(steps_.difference(i, row[i], place[i])) <= 3;
-    }
-    near = coder.flag(0, nears_[last_nears_], near);
-    last_nears_ = (2 * last_nears_ + near) % 8;
-    if (!near) return false;
-    unsigned n = 1;
-    for (unsigned i = 0; i < 3; ++i) {
-      code_alone(coder, i, row[i], place[i], ResidualContext(3, 0), i == symmetry_axis_ ? 2 : n);
-      if (row[i] != place[i]) n = 3;
-    }
-    return true;
-  }
-
-  /// One component that waits for no other.
-  template <class Coder>
-  std::int64_t code_alone(Coder& coder, unsigned i, Int& value, std::int64_t from,
-                          ResidualContext context, unsigned n) {
+  CLERS_NEVER_INLINE std::int64_t code_alone(Coder& coder, unsigned lane, unsigned i, Int& value,
+                                             std::int64_t mean, ResidualContext context,
+                                             unsigned n) {
     std::uint64_t low = 0;
     if constexpr (!Coder::encodes) low = coder.bits(context.width, 0, 0)[0];
-    return code_one(coder, i, i, value, 4 * from, context, low, n);
+    return code_one(coder, lane, i, value, mean, context, low, n);
+  }
+
+  /// That for components of v, as guides want it.
+  template <class Coder>
+  auto alone(Coder& coder, std::uint32_t v) {
+    return [this, &coder, v](unsigned i, std::int64_t from, ResidualContext context, unsigned n) {
+      code_alone(coder, i, i, rows_[3 * std::size_t(v) + i], 4 * from, context, n);
+    };
   }
 
   /// v by the position of a vertex beside it; where there is none, by 0.
@@ -261,7 +228,7 @@ class SizedModel {
     if (!valid_) return;
     Int* row = rows_ + 3 * std::size_t(v);
     for (unsigned i = 0; i < 3; ++i) {
-      const std::int64_t r = code_alone(coder, i, row[i], records_[from].at[i],
+      const std::int64_t r = code_alone(coder, i, i, row[i], 4 * std::int64_t(records_[from].at[i]),
                                         steps_.context(i, 2, beside_[i] >> 4), 1);
       beside_[i] += (16 * steps_.size(i, magnitude(r)) - beside_[i]) >> 2;
     }
@@ -327,19 +294,21 @@ class SizedModel {
                           steps_.size(z, magnitude(rz)));
     remember(v);
   }
+  /// v, around which residuals are as large as around w.
+  CLERS_ALWAYS_INLINE void remember_like(std::uint32_t v, std::uint32_t w) {
+    typical_ = sizes(records_[w]);
+    remember(v);
+  }
   CLERS_ALWAYS_INLINE void remember(std::uint32_t v) {
     using Number = typename Triple::Number;
     const Int* row = rows_ + 3 * std::size_t(v);
     records_[v] = {{static_cast<Number>(row[0]), static_cast<Number>(row[1]),
                     static_cast<Number>(row[2]), static_cast<Number>(typical_)}};
     last_ = v;
-    if (guided_ && valid_) [[unlikely]]
-      tell(v);
-  }
-  CLERS_NEVER_INLINE void tell(std::uint32_t v) {
-    if (copies_) copies_->known(v);
-    if (mirror_) mirror_->known(v, guessed_);
-    guessed_ = Mirror<Int>::nobody;
+    if (any_guide_ && valid_) [[unlikely]]
+      guided_.known(v);
+    if (repeats_ && valid_) [[unlikely]]
+      repeated_.known(v);
   }
 
   const CodedSurface surface_;
@@ -348,12 +317,10 @@ class SizedModel {
   const AxisSteps<Triple> steps_;
   std::vector<Record> records_;
   ResidualModel residuals_;
-  std::optional<Copies<Int>> copies_;
-  std::optional<Mirror<Int>> mirror_;
-  std::uint32_t guessed_ = Mirror<Int>::nobody, symmetry_axis_ = 3;
-  BitModel nears_[8];
-  unsigned last_nears_ = 7;
-  bool guided_ = false;
+  GuidedCoding<Int, Triple> guided_;
+  const bool any_guide_;
+  RepeatedCoordinates<Int> repeated_;
+  const bool repeats_;
   int beside_[3] = {};  ///< how far vertices are apart where nothing else is known, in 1/16
   std::uint32_t last_ = 0;
   std::uint32_t typical_ = 0x00010001;  ///< sizes of the last one that was predicted

@@ -73,10 +73,11 @@ class SymmetryMaps {
       for (unsigned m : {0u, 2u}) {
         maps_[m].from[x] = static_cast<std::uint8_t>(y);
         maps_[m].from[y] = static_cast<std::uint8_t>(x);
-        // about (sum, sum2) / 2
+        // about (sum, sum2) / 2; to exchange two axes reverses too
         maps_[m].reverse(m == 0 ? x : y, (s.sum + s.sum2) / 2);
         const std::uint32_t kept = m == 0 ? y : x;
         maps_[m].moved[kept] = true;
+        maps_[m].reverses = false;
         const auto up = static_cast<Int>(s.sum2) - static_cast<Int>(s.sum);
         maps_[m].offset[kept] = (m == 0 ? up : -up) / 2;
         maps_[m].inverse = 2 - m;
@@ -95,6 +96,8 @@ class SymmetryMaps {
 
   unsigned count() const { return count_; }
   unsigned inverse(unsigned map) const { return maps_[map].inverse; }
+  /// Whether the image of what is counterclockwise is clockwise.
+  bool reverses(unsigned map) const { return maps_[map].reverses; }
   /// Whether coordinate c of an image is another one than that of the place.
   bool moves(unsigned map, std::size_t c) const { return maps_[map].moved[c]; }
   /// Coordinate c of the image of a place: within -T .. 2 T if T is the greatest top.
@@ -110,9 +113,11 @@ class SymmetryMaps {
     std::array<bool, 3> moved = {};
     std::array<Int, 3> sign = {1, 1, 1}, offset = {};
     unsigned inverse = 0;  // which of the maps
+    bool reverses = false;
 
     void reverse(std::uint32_t c, std::uint64_t sum) {
       moved[c] = true;
+      reverses = !reverses;
       sign[c] = -1;
       offset[c] = static_cast<Int>(sum);
     }

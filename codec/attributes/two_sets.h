@@ -21,6 +21,7 @@ using ClassCounts = std::array<std::uint64_t, residual_classes>;
 
 /// log2(x) in 1/256, rounded down. x > 0.
 inline std::uint64_t log2_of(std::uint64_t x) {
+  if (x == 1) return 0;  // as of the many classes that do not occur
   const unsigned whole = static_cast<unsigned>(std::bit_width(x)) - 1;
   std::uint64_t m = whole > 31 ? x >> (whole - 31) : x << (31 - whole), fraction = 0;
   for (unsigned i = 0; i < 8; ++i) {
@@ -89,10 +90,7 @@ class TwoSets {
     const std::uint64_t mean = all / std::max<std::size_t>(sums.size(), 1);
     for (const std::uint64_t sum : sums) set_of.push_back(sum > mean);
     count();
-    for (unsigned round = 0; round < 2; ++round) {
-      move();
-      count();
-    }
+    for (unsigned round = 0; round < 2; ++round) move();
   }
 
   /// Whether they take less than one set does, weights and all, by what is worth the time.
@@ -115,12 +113,15 @@ class TwoSets {
   }
   void count() {
     for (auto& of_set : counts) of_set.assign(components_, ClassCounts{});
-    for (std::size_t b = 0; b < set_of.size(); ++b) {
-      const std::span<const std::uint8_t> in = block(b);
-      std::vector<ClassCounts>& of_set = counts[set_of[b]];
-      for (std::size_t i = 0; i < in.size(); i += components_)
-        for (std::size_t c = 0; c < components_; ++c) ++of_set[c][in[i + c]];
-    }
+    for (std::size_t b = 0; b < set_of.size(); ++b) count(b, 1);
+  }
+  /// Adds a block to its set, or takes it away: `times` is 1 or -1.
+  void count(std::size_t b, int times) {
+    const std::span<const std::uint8_t> in = block(b);
+    std::vector<ClassCounts>& of_set = counts[set_of[b]];
+    for (std::size_t i = 0; i < in.size(); i += components_)
+      for (std::size_t c = 0; c < components_; ++c)
+        of_set[c][in[i + c]] += static_cast<std::uint64_t>(times);
   }
   /// Each block to the set in which it takes less.
   void move() {
@@ -141,7 +142,10 @@ class TwoSets {
       std::int64_t sum = 0;
       for (std::size_t i = 0; i < in.size(); i += components_)
         for (std::size_t c = 0; c < components_; ++c) sum += more[c][in[i + c]];
+      if (set_of[b] == (sum < 0)) continue;
+      count(b, -1);
       set_of[b] = sum < 0;
+      count(b, 1);
     }
   }
 

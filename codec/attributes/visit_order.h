@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "codec/attributes/parallelograms.h"
+#include "codec/base/portable.h"
 #include "codec/connectivity/coded_surface.h"
 #include "topology/ids.h"
 
@@ -17,21 +18,14 @@ namespace clers::internal {
 /// What is known in the order of visit.
 class Visited {
  public:
-  explicit Visited(std::size_t vertices) : state_(vertices) {}
+  /// How many parallelograms end at each vertex, 2 being many; or that it is known.
+  static constexpr std::uint8_t known = 3;
+  explicit Visited(const std::uint8_t* state) : state_(state) {}
 
   bool operator()(std::uint32_t v) const { return state_[v] == known; }
-  void visit(std::uint32_t v) { state_[v] = known; }
-
-  /// One more parallelogram ends at v, which is not visited. Returns how many there are, 1 or 2,
-  /// if it is the first or second; else 0.
-  unsigned another(std::uint32_t v) {
-    if (state_[v] == 2) return 0;
-    return ++state_[v];
-  }
 
  private:
-  static constexpr std::uint8_t known = 3;
-  std::vector<std::uint8_t> state_;  ///< parallelograms that end there, two are many; or known
+  const std::uint8_t* state_;
 };
 
 /// Calls visit(h, visited) for each vertex that a triangle has; h leaves it. visited(u) tells
@@ -44,99 +38,97 @@ class Visited {
 ///         / \           .
 ///        a---b
 ///         \ /
-///          c     the last of a, b, c is visited
+///          c
 ///
-/// First come those with two parallelograms, then those with one, in the order in which they began
-/// to wait for it (by the parallelogram that is their second, or first). With none waiting, the
-/// next one in the order of introduction is visited. Where a vertex has copies, it is visited once,
-/// and the triangles around the copy that h leaves are those whose vertices may become known by
-/// that.
+/// Around a vertex v that is visited those triangles are looked at that follow each other on both
+/// sides of the one that h is in, as far as all their vertices are known. What is across from the
+/// sides that do not end at v waits, and so do the first vertices around v that are not known:
+///
+///        x---x---x         v has h in the triangle v r s. x wait, if they are not visited; what is
+///         \ / \ /          known on the far side of v is not looked for
+///      x---s---r---x
+///           \ /
+///            v
+///
+/// First come those that waited twice, then those that did once, in the order in which they did.
+/// With none waiting, the next one in the order of introduction is visited. Where a vertex has
+/// copies, it is visited once, and the triangles around it are those around the copy that h leaves.
 ///
 /// Precondition: twins are there. Cost: linear; memory: visit_order_memory.
 template <class Visit>
 void for_each_by_parallelograms(const CodedSurface& surface, Visit visit) {
   const std::size_t vertices = surface.introduced_by.size();
-  Visited visited(vertices);
-  // The queues: each vertex enters each once.
-  std::vector<HalfEdge> one(vertices), two(vertices);
-  std::size_t one_begin = 0, one_end = 0, two_begin = 0, two_end = 0;
-  // One more parallelogram for the vertex that half-edge x leaves.
-  const auto wait = [&](std::uint32_t x) {
-    const unsigned n = visited.another(surface.corners[x]);
-    if (n == 1) one[one_end++] = HalfEdge(x);
-    if (n == 2) two[two_end++] = HalfEdge(x);
+  const std::uint32_t* const corners = surface.corners.data();
+  const HalfEdge* const twins = surface.twins.data();
+  std::vector<std::uint8_t> states(vertices);
+  std::uint8_t* const state = states.data();
+  // Each vertex enters each queue once; what does not enter is written behind the last.
+  std::vector<HalfEdge> ones(vertices + 1), twos(vertices + 1);
+  HalfEdge *one = ones.data(), *one_end = one, *two = twos.data(), *two_end = two;
+  const auto knows = [=](std::uint32_t h)
+                         CLERS_INLINE_LAMBDA { return state[corners[h]] == Visited::known; };
+  // One more parallelogram for the vertex that half-edge x leaves, which is not visited. Without a
+  // branch, which would go either way.
+  const auto wait = [&](std::uint32_t x) CLERS_INLINE_LAMBDA {
+    std::uint8_t& n = state[corners[x]];
+    const unsigned before = n, first = before == 0, second = before == 1;
+    *one_end = *two_end = HalfEdge(x);
+    one_end += first;
+    two_end += second;
+    n = static_cast<std::uint8_t>(before + first + second);
+    fetch(&twins[x]);
   };
-  // Across from v in a triangle v a b, of which a and b are known.
-  const auto look_out = [&](std::uint32_t h) {
-    const HalfEdge across = surface.twins[next_in(h)];
-    if (!across) return;
-    const std::uint32_t x = previous_in(across.index());
-    if (!visited(surface.corners[x])) wait(x);
+  // Across side h of a triangle whose vertices are all known.
+  const auto look_across = [&](std::uint32_t h) CLERS_INLINE_LAMBDA {
+    if (const HalfEdge across = twins[h]) [[likely]]
+      wait(previous_in(across.index()));
   };
-  // Around v, of two triangles v r s and v s t that follow each other: where s is known and r or t
-  // is, the other is across from it.
-  const auto go_to = [&](HalfEdge first) {
-    visit(first, std::as_const(visited));
-    visited.visit(surface.corners[first.index()]);
-    const auto knows = [&](std::uint32_t h) { return visited(surface.corners[h]); };
-    std::uint32_t h = first.index();
-    const bool first_r = knows(next_in(h)), first_s = knows(previous_in(h));
-    if (first_r & first_s) look_out(h);
-    bool r = first_r, s = first_s;
-    for (;;) {
-      const std::uint32_t back = next_in(h);  // leaves r
-      const HalfEdge across = surface.twins[previous_in(h)];
-      if (!across) break;
-      h = across.index();
-      const bool closed = h == first.index(), t = closed ? first_s : knows(previous_in(h));
-      if (s & (r != t)) {
-        const std::uint32_t x = r ? previous_in(h) : back;
-        wait(x);
+  const auto go_to = [&](HalfEdge from) CLERS_INLINE_LAMBDA {
+    visit(from, Visited(state));
+    const std::uint32_t first = from.index();
+    state[corners[first]] = Visited::known;
+    if (!(knows(next_in(first)) & knows(previous_in(first)))) return;
+    look_across(next_in(first));
+    for (std::uint32_t side = previous_in(first);;) {  // counterclockwise
+      const HalfEdge across = twins[side];
+      if (!across) [[unlikely]]
+        break;
+      if (across == from) [[unlikely]]
+        return;
+      side = previous_in(across.index());
+      if (!knows(side)) {
+        wait(side);
+        break;
       }
-      if (closed) return;
-      if (s & t) look_out(h);
-      r = s;
-      s = t;
+      look_across(next_in(across.index()));
     }
-    // The same clockwise from the first.
-    h = first.index();
-    r = first_s;
-    s = first_r;
-    for (;;) {
-      const std::uint32_t back = previous_in(h);
-      const HalfEdge across = surface.twins[h];
-      if (!across) return;
-      h = next_in(across.index());
-      const bool t = knows(next_in(h));
-      if (s & (r != t)) wait(r ? next_in(h) : back);
-      if (s & t) look_out(h);
-      r = s;
-      s = t;
+    for (std::uint32_t side = first;;) {  // clockwise
+      const HalfEdge across = twins[side];
+      if (!across) [[unlikely]]
+        return;
+      side = next_in(across.index());
+      const std::uint32_t ahead = next_in(side);
+      if (!knows(ahead)) return wait(ahead);
+      look_across(ahead);
     }
   };
-  const auto go_on = [&] {
+  for_each_introduced(surface, [&](std::uint32_t t, unsigned corner) CLERS_INLINE_LAMBDA {
+    HalfEdge next = half_edge(Face(t), corner);
     for (;;) {
-      HalfEdge next;
-      if (two_begin < two_end)
-        next = two[two_begin++];
-      else if (one_begin < one_end)
-        next = one[one_begin++];
+      if (!knows(next.index())) go_to(next);
+      if (two < two_end)
+        next = *two++;
+      else if (one < one_end)
+        next = *one++;
       else
         return;
-      if (!visited(surface.corners[next.index()])) go_to(next);
     }
-  };
-  for_each_introduced(surface, [&](std::uint32_t t, unsigned corner) {
-    const HalfEdge first = half_edge(Face(t), corner);
-    if (visited(surface.corners[first.index()])) return;
-    go_to(first);
-    go_on();
   });
 }
 
 /// What for_each_by_parallelograms allocates.
 inline std::uint64_t visit_order_memory(std::uint64_t vertices) {
-  return vertices * (1 + 2 * sizeof(HalfEdge));
+  return vertices + 2 * (vertices + 1) * sizeof(HalfEdge);
 }
 
 }  // namespace clers::internal

@@ -70,7 +70,16 @@ class DoublePrecision {
 #endif
 };
 
-/// Begins to fetch memory that is written to soon.
+/// Begins to fetch memory that is read soon.
+CLERS_ALWAYS_INLINE void fetch(const void* p) {
+#if !defined(CLERS_PORTABLE) && defined(__GNUC__)
+  __builtin_prefetch(p);
+#else
+  static_cast<void>(p);
+#endif
+}
+
+/// The same where it is written to.
 CLERS_ALWAYS_INLINE void fetch_for_writing(const void* p) {
 #if !defined(CLERS_PORTABLE) && defined(__GNUC__)
   __builtin_prefetch(p, 1);

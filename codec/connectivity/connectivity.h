@@ -31,11 +31,16 @@ constexpr std::array<std::uint64_t, 5> in_word_order(const std::array<std::uint6
   return {of(Clers::C), of(Clers::L), of(Clers::E), of(Clers::R), of(Clers::S)};
 }
 
+/// What encoding keeps of a surface for what is coded along it.
+enum class Kept { nothing, corners, corners_and_twins };
+
 struct EncodedConnectivity {
   std::vector<std::byte> bytes;
   std::vector<HalfEdge> gates;  ///< for each face in coded order: its half-edge that comes first
   std::vector<std::uint32_t> vertices;  ///< vertices[new] = old
-  std::vector<HalfEdge> twins;          ///< of the triangles in coded order, if they are wanted
+  std::vector<std::uint32_t> corners;   ///< of the triangles in coded order, if they are kept: as
+  std::vector<std::uint32_t> parts_of;  ///< Traversal says
+  std::vector<HalfEdge> twins;          ///< of the triangles in coded order, if they are kept
   ConnectivityCounts counts;
   /// What holes and handles cost, the symbol S of each and all flags included, in 1/256 bits.
   std::uint64_t special_cost = 0;
@@ -45,7 +50,7 @@ struct EncodedConnectivity {
 /// look beforehand would cost every mesh a fifth of its time), out_of_memory. Cost: linear, and
 /// O(log n) amortised for each handle.
 Expected<EncodedConnectivity> encode_connectivity(SurfaceArrays surface, int level,
-                                                  bool with_twins = false);
+                                                  Kept kept = Kept::nothing);
 
 /// The same bytes, with every operator run on a full surface too and the surface validated; `trace`
 /// receives the operators of the unbuilding as the surface found them (OperatorTrace). Of polygons
@@ -54,13 +59,9 @@ Expected<EncodedConnectivity> encode_connectivity(SurfaceArrays surface, int lev
 Expected<EncodedConnectivity> encode_connectivity_on_surface(SurfaceArrays surface, int level,
                                                              std::vector<std::uint8_t>& trace);
 
-/// Corners of the triangles of a surface in coded order, as vertices of the surface; of `surface`
-/// the twins are not looked at. Cost: linear.
-std::vector<std::uint32_t> triangle_corners(const SurfaceArrays& surface,
-                                            std::span<const HalfEdge> gates);
-
-/// What a decoder will find. Takes the twins out of `coded`. Cost: linear.
-CodedArrays coded_surface(const SurfaceArrays& surface, EncodedConnectivity& coded);
+/// What a decoder will find of a surface with so many vertices. Takes corners and twins, which must
+/// be kept, out of `coded`. Cost: linear.
+CodedArrays coded_surface(std::uint32_t vertex_count, EncodedConnectivity& coded);
 
 /// Sizes at the front of encoded connectivity.
 struct ConnectivityHeader {

@@ -59,6 +59,8 @@ EncodedConnectivity encode_script(DecodeScript script, Traversal traversal, int 
   result.counts.boundary_curves = coded.holes + traversal.starts.size() - coded.closed_components;
   result.vertices = std::move(script.vertices);
   result.gates = std::move(traversal.gates);
+  result.corners = std::move(traversal.corners);
+  result.parts_of = std::move(traversal.parts_of);
   return result;
 }
 
@@ -68,18 +70,18 @@ EncodedConnectivity encode_nothing() {
   return result;
 }
 
-Expected<EncodedConnectivity> encode_fast(SurfaceArrays surface, int level, bool with_twins) {
+Expected<EncodedConnectivity> encode_fast(SurfaceArrays surface, int level, Kept kept) {
   if (surface.org.empty()) return encode_nothing();
   const bool valences = level >= 3;
   Traversal traversal;
   std::vector<HalfEdge> twins;
-  if (with_twins) {
+  if (kept == Kept::corners_and_twins) {
     KeepTwins witness(surface.org.size(), 3 * std::size_t(triangles_of(surface)));
-    traversal = unbuild(surface, valences, witness);
+    traversal = unbuild(surface, valences, witness, true);
     twins = std::move(witness.twins);
   } else {
     NoWitness witness;
-    traversal = unbuild(surface, valences, witness);
+    traversal = unbuild(surface, valences, witness, kept == Kept::corners);
   }
   if (auto ok = place_specials(traversal, !surface.sizes.empty(), valences); !ok)
     return Failure{ok.error()};
@@ -89,34 +91,14 @@ Expected<EncodedConnectivity> encode_fast(SurfaceArrays surface, int level, bool
   return result;
 }
 
-std::vector<std::uint32_t> triangle_corners(const SurfaceArrays& surface,
-                                            std::span<const HalfEdge> gates) {
-  std::vector<std::uint32_t> corners(3 * std::size_t(triangles_of(surface)));
-  std::uint32_t* out = corners.data();
-  const auto put = [&](HalfEdge a, HalfEdge b, HalfEdge v) {
-    for (const HalfEdge h : {a, b, v}) *out++ = surface.org[h.index()];
-  };
-  if (surface.sizes.empty()) {
-    for (const HalfEdge gate : gates) put(gate, lnext(gate), lprev(gate));
-    return corners;
-  }
-  const PolygonFaces faces(surface.twins, surface.sizes);
-  for (HalfEdge a : gates) {
-    const HalfEdge b = faces.next(a);
-    for (HalfEdge v = faces.prev(a); v != b; v = faces.prev(v)) {
-      put(a, b, v);
-      a = v;
-    }
-  }
-  return corners;
-}
-
-CodedArrays coded_surface(const SurfaceArrays& surface, EncodedConnectivity& coded) {
+CodedArrays coded_surface(std::uint32_t vertex_count, EncodedConnectivity& coded) {
   CodedArrays result;
-  result.corners = triangle_corners(surface, coded.gates);
+  result.corners = std::move(coded.corners);
   result.twins = std::move(coded.twins);
-  std::vector<std::uint32_t> number(surface.vertex_count);
+  std::vector<std::uint32_t> number(vertex_count + coded.parts_of.size());
   for (std::uint32_t n = 0; n < coded.vertices.size(); ++n) number[coded.vertices[n]] = n;
+  for (std::size_t i = 0; i < coded.parts_of.size(); ++i)
+    number[vertex_count + i] = number[coded.parts_of[i]];
   result.introduced_by.resize(coded.vertices.size());
   for (std::size_t k = result.corners.size(); k-- > 0;) {  // the first triangle is the last to say
     std::uint32_t& corner = result.corners[k];
@@ -126,13 +108,12 @@ CodedArrays coded_surface(const SurfaceArrays& surface, EncodedConnectivity& cod
   return result;
 }
 
-Expected<EncodedConnectivity> encode_connectivity(SurfaceArrays surface, int level,
-                                                  bool with_twins) try {
+Expected<EncodedConnectivity> encode_connectivity(SurfaceArrays surface, int level, Kept kept) try {
 #ifdef CLERS_BOOKKEEPING
   std::vector<std::uint8_t> trace;
-  return encode_on_surface(surface, level, with_twins, trace);
+  return encode_on_surface(surface, level, kept, trace);
 #else
-  return encode_fast(surface, level, with_twins);
+  return encode_fast(surface, level, kept);
 #endif
 } catch (const std::bad_alloc&) {
   return fail(ErrorCode::out_of_memory, "not enough memory for the connectivity");

@@ -61,7 +61,10 @@ struct Traversal {
   bool handles = false;           ///< there are some among them
   std::vector<Start> starts;
   std::vector<std::uint32_t> vertices;  ///< vertices[n] = the vertex that a decoder will number n
-  Trouble trouble = Trouble::none;      ///< with any nothing else holds
+  /// Of the triangles in the order of the walk, if they are wanted: vertices, or parts of them that
+  /// an S has cut off. Those from the number of vertices on are parts of parts_of[0] and so on.
+  std::vector<std::uint32_t> corners, parts_of;
+  Trouble trouble = Trouble::none;  ///< with any nothing else holds
 
   Clers symbol(std::uint32_t index) const {
     return static_cast<Clers>(contexts[contexts.size() - 1 - index] & 7);
@@ -86,12 +89,15 @@ class Edgebreaker {
   static_assert(!valences || Faces::only_triangles);
 
  public:
-  Edgebreaker(SurfaceArrays surface, Witness& witness)
+  Edgebreaker(SurfaceArrays surface, Witness& witness, bool with_corners)
       : points_(surface.org),
         org_(surface.org.begin(), surface.org.end()),
         unbuilding_(surface.twins, surface.sizes, witness),
         triangles_(unbuilding_.triangles()),
-        vertices_(surface.vertex_count) {
+        with_corners_(with_corners) {
+    vertices_.reserve(surface.vertex_count + surface.vertex_count / 8);  // and parts of some
+    vertices_.resize(surface.vertex_count);
+    result_.corners.resize(3 * (with_corners ? std::size_t(triangles_) : 1));
     result_.gates.resize(unbuilding_.faces());
     result_.contexts.resize(triangles_ + std::size_t(1));  // the first gate has no symbol before it
     result_.vertices.resize(surface.vertex_count);
@@ -114,6 +120,7 @@ class Edgebreaker {
     result_.contexts.resize(triangles_);
     if (triangles_ > 0) result_.contexts[0] = static_cast<std::uint8_t>(last_);
     result_.vertices.resize(numbered_);
+    if (!with_corners_) result_.corners.clear();
     std::sort(result_.specials.begin(), result_.specials.end(),
               [](const auto& a, const auto& b) { return a.index < b.index; });
     return std::move(result_);
@@ -199,6 +206,8 @@ class Edgebreaker {
     HalfEdge* const gates = result_.gates.data();
     std::uint32_t* const numbers = result_.vertices.data();
     std::uint8_t* const contexts_end = result_.contexts.data() + triangles_;
+    const std::size_t next_corners = with_corners_ ? 3 : 0;  // else they are written over
+    std::uint32_t* corners = result_.corners.data() + next_corners * count_;
     std::uint32_t count = count_, entered = entered_, numbered = numbered_;
     bool enters = true;  // the gate is one of a face that is whole
     Clers symbol = last_;
@@ -210,6 +219,10 @@ class Edgebreaker {
       const HalfEdge right = enters ? surface.sym(right_side) : left_side;
       const HalfEdge left_gate = surface.sym(left_side);
       const std::uint32_t v = org[left_side.index()];
+      corners[0] = org[gate.index()];
+      corners[1] = org[right_side.index()];
+      corners[2] = v;
+      corners += next_corners;
       // The symbol before is the one that a decoder will meet at this gate.
       std::uint32_t valence = 0;
       if constexpr (valences) {
@@ -292,6 +305,7 @@ class Edgebreaker {
     const std::uint32_t w = static_cast<std::uint32_t>(vertices_.size());
     const std::uint32_t triangles = valences ? n * one_triangle : 0;
     vertices_.push_back(triangles | visited);
+    result_.parts_of.push_back(points_[right.index()]);
     vertices_[v] -= triangles;
     for (HalfEdge h = right_is_smaller ? right : unbuilding_.next(left_gate); h;
          h = right_is_smaller ? unbuilding_.sym(unbuilding_.prev(h)) : around_left(h))
@@ -343,6 +357,7 @@ class Edgebreaker {
   Unbuilding<Faces, Witness> unbuilding_;
   std::uint32_t triangles_;
   std::vector<VertexState> vertices_;
+  bool with_corners_;
   std::vector<Pending> pending_;
   std::vector<std::uint32_t> hole_vertices_;  ///< of this component, in the order of their numbers
   std::uint32_t count_ = 0, entered_ = 0, numbered_ = 0;  ///< triangles, faces, vertices

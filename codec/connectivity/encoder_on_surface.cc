@@ -33,20 +33,20 @@ bool agree(const DecodeScript& a, const DecodeScript& b) {
 }
 
 /// Of triangles.
-Expected<EncodedConnectivity> encode_triangles(SurfaceArrays surface, int level, bool with_twins,
+Expected<EncodedConnectivity> encode_triangles(SurfaceArrays surface, int level, Kept kept,
                                                OperatorTrace& trace) {
   if (surface.org.empty()) return encode_nothing();
   std::vector<HalfEdge> twins;
-  if (with_twins) {
+  if (kept == Kept::corners_and_twins) {
     std::vector<HalfEdge> consumed(surface.twins.begin(), surface.twins.end());
     SurfaceArrays copy = surface;
     copy.twins = consumed;
     KeepTwins witness(surface.org.size(), surface.org.size());
-    unbuild(copy, true, witness);
+    unbuild(copy, true, witness, false);
     twins = std::move(witness.twins);
   }
   UnbuildingMirror witness = mirror_of(surface);
-  Traversal traversal = unbuild(surface, true, witness);
+  Traversal traversal = unbuild(surface, true, witness, kept != Kept::nothing);
   if (auto ok = place_specials(traversal, false, true); !ok) return Failure{ok.error()};
   BuildingMirror pairing(surface.org.size());
   const auto built = replayed_script(surface.org, surface.vertex_count, traversal, pairing);
@@ -64,14 +64,17 @@ Expected<EncodedConnectivity> encode_triangles(SurfaceArrays surface, int level,
 }  // namespace
 
 /// Polygons as they are, and then their triangles.
-Expected<EncodedConnectivity> encode_on_surface(SurfaceArrays surface, int level, bool with_twins,
+Expected<EncodedConnectivity> encode_on_surface(SurfaceArrays surface, int level, Kept kept,
                                                 OperatorTrace& trace) {
-  if (surface.sizes.empty()) return encode_triangles(surface, level, with_twins, trace);
-  auto coded = encode_fast(surface, level, true);
+  if (surface.sizes.empty()) return encode_triangles(surface, level, kept, trace);
+  auto coded = encode_fast(surface, level, Kept::corners_and_twins);
   if (!coded) return coded;
-  const std::vector<std::uint32_t> corners = triangle_corners(surface, coded->gates);
+  std::vector<std::uint32_t> corners = coded->corners;
+  for (std::uint32_t& v : corners)
+    if (v >= surface.vertex_count) v = coded->parts_of[v - surface.vertex_count];
   std::vector<HalfEdge> twins = coded->twins;
-  const auto again = encode_triangles({corners, twins, surface.vertex_count}, level, true, trace);
+  const auto again = encode_triangles({corners, twins, surface.vertex_count}, level,
+                                      Kept::corners_and_twins, trace);
   if (!again) return again;
   bool same = again->bytes == coded->bytes && again->vertices == coded->vertices &&
               again->twins == coded->twins;
@@ -83,7 +86,7 @@ Expected<EncodedConnectivity> encode_on_surface(SurfaceArrays surface, int level
 
 Expected<EncodedConnectivity> encode_connectivity_on_surface(SurfaceArrays surface, int level,
                                                              OperatorTrace& trace) try {
-  return encode_on_surface(surface, level, false, trace);
+  return encode_on_surface(surface, level, Kept::nothing, trace);
 } catch (const std::bad_alloc&) {
   return fail(ErrorCode::out_of_memory, "not enough memory for the connectivity");
 }

@@ -20,11 +20,13 @@ inline std::uint32_t triangles_of(const SurfaceArrays& surface) {
 
 /// Runs Edgebreaker. Valences of polygons show later: place_specials.
 template <class Witness>
-Traversal unbuild(const SurfaceArrays& surface, bool valences, Witness& witness) {
+Traversal unbuild(const SurfaceArrays& surface, bool valences, Witness& witness,
+                  bool with_corners) {
   if (!surface.sizes.empty())
-    return Edgebreaker<PolygonFaces, Witness, false>(surface, witness).run();
-  return valences ? Edgebreaker<TriangleFaces, Witness, true>(surface, witness).run()
-                  : Edgebreaker<TriangleFaces, Witness, false>(surface, witness).run();
+    return Edgebreaker<PolygonFaces, Witness, false>(surface, witness, with_corners).run();
+  return valences
+             ? Edgebreaker<TriangleFaces, Witness, true>(surface, witness, with_corners).run()
+             : Edgebreaker<TriangleFaces, Witness, false>(surface, witness, with_corners).run();
 }
 
 /// Finds where handles are, and counts the valences of polygons. Errors: nonmanifold_vertex,
@@ -38,10 +40,10 @@ EncodedConnectivity encode_script(DecodeScript script, Traversal traversal, int 
 EncodedConnectivity encode_nothing();
 
 /// As encode_connectivity, whatever the build. Throws std::bad_alloc.
-Expected<EncodedConnectivity> encode_fast(SurfaceArrays surface, int level, bool with_twins);
+Expected<EncodedConnectivity> encode_fast(SurfaceArrays surface, int level, Kept kept);
 
 /// As encode_connectivity_on_surface. Throws std::bad_alloc.
-Expected<EncodedConnectivity> encode_on_surface(SurfaceArrays surface, int level, bool with_twins,
+Expected<EncodedConnectivity> encode_on_surface(SurfaceArrays surface, int level, Kept kept,
                                                 std::vector<std::uint8_t>& trace);
 
 }  // namespace clers::internal

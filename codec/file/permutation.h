@@ -9,6 +9,7 @@
 #include <cstring>
 #include <numeric>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "codec/base/faces.h"
@@ -69,19 +70,28 @@ inline std::vector<std::byte> permuted_elements(const std::byte* elements, std::
                             : domain == Domain::face ? order.faces.size()
                                                      : faces.org.size();
   std::vector<std::byte> result(count * size);
-  std::byte* to = result.data();
-  const auto copy = [&](std::size_t from) {
-    std::memcpy(to, elements + from * step, size);
-    to += size;
+  // Of the usual sizes a copy is a few instructions if they are known.
+  const auto copy_all = [&](auto known_size) {
+    std::byte* to = result.data();
+    const auto copy = [&](std::size_t from) {
+      std::memcpy(to, elements + from * step, known_size);
+      to += known_size;
+    };
+    switch (domain) {
+      case Domain::vertex:
+        for (const std::uint32_t v : order.vertices) copy(v);
+        break;
+      case Domain::face:
+        for (const std::uint32_t f : order.faces) copy(f);
+        break;
+      case Domain::corner: for_each_corner(faces, order, copy); break;
+    }
   };
-  switch (domain) {
-    case Domain::vertex:
-      for (const std::uint32_t v : order.vertices) copy(v);
-      break;
-    case Domain::face:
-      for (const std::uint32_t f : order.faces) copy(f);
-      break;
-    case Domain::corner: for_each_corner(faces, order, copy); break;
+  switch (size) {
+    case 4: copy_all(std::integral_constant<std::size_t, 4>()); break;
+    case 8: copy_all(std::integral_constant<std::size_t, 8>()); break;
+    case 12: copy_all(std::integral_constant<std::size_t, 12>()); break;
+    default: copy_all(size);
   }
   return result;
 }

@@ -64,11 +64,16 @@ Expected<QuantisedMesh> quantise(const MeshView& mesh, const EncodeOptions& opti
   out.mesh = mesh;
   const std::size_t count = mesh.attributes.size();
   if (options.precisions.empty() || count == 0) return out;
+  // Others may be predicted from positions.
+  const auto is_needed = [&](const AttributeView& a) {
+    return count > 1 && a.domain == Domain::vertex && a.name == position_name;
+  };
   std::vector<Expected<QuantisedValues>> quantised(count, QuantisedValues{});
   for_each_item(count, threads, [&](std::size_t i, unsigned) {
     const AttributeView a = mesh.attributes[i];
     const Precision& precision = options.precision_of(a.name, a.domain);
-    if (precision.kind != Precision::Kind::recomputed) quantised[i] = quantise(a, precision);
+    if (precision.kind != Precision::Kind::recomputed)
+      quantised[i] = quantise(a, precision, is_needed(a));
   });
   out.values.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -82,6 +87,7 @@ Expected<QuantisedMesh> quantise(const MeshView& mesh, const EncodeOptions& opti
       out.values[i] = std::move(quantised[i]->values);
       a.data = out.values[i];
       a.stride = 0;
+      if (out.plans.back().integers_of) a.scalar = Scalar::int32;
     }
     out.attributes.push_back(a);
   }

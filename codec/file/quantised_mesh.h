@@ -16,7 +16,8 @@
 namespace clers::internal {
 
 struct QuantisedMesh {
-  MeshView mesh;                     ///< as it will be decoded; has what follows
+  MeshView mesh;                     ///< as it will be decoded, or with integers of it: has what
+                                     ///< follows
   std::vector<AttributePlan> plans;  ///< one an attribute; none: all are lossless
   std::vector<Warning> warnings;     ///< Warning::mesh is not set
 

@@ -15,14 +15,18 @@
 namespace clers::internal {
 namespace {
 
+/// The greatest common divisor, which mostly is the step already.
+std::uint64_t common_step(std::uint64_t step, std::uint64_t d) {
+  return step != 0 && d % step == 0 ? step : std::gcd(step, d);
+}
+
 /// Integers: the greatest step that all differences are multiples of.
 NumberSystem integer_steps(std::span<const std::uint64_t> keys) {
   NumberSystem system;
   std::uint64_t step = 0;
   for (std::size_t i = 1; i < keys.size() && step != 1; ++i) {
     const std::uint64_t key = keys[i], first = keys[0];
-    const std::uint64_t d = key > first ? key - first : first - key;
-    if (d != 0 && (step == 0 || d % step != 0)) step = std::gcd(step, d);
+    step = common_step(step, key > first ? key - first : first - key);
   }
   system.step = std::max<std::uint64_t>(step, 1);
   return system;
@@ -44,7 +48,8 @@ class Finder {
     tops_ = {greatest, looks_.top};
   }
 
-  NumberSystem find() {
+  /// The best; and, if wanted, the best without strays.
+  std::vector<NumberSystem> find(bool both) {
     propose(NumberSystem());
     if (looks_.top > 0) {
       propose_decimals();
@@ -53,10 +58,9 @@ class Finder {
     }
     std::stable_sort(proposed_.begin(), proposed_.end(),
                      [](const Proposal& a, const Proposal& b) { return a.cost < b.cost; });
-    proposed_.resize(std::min(proposed_.size(), finalists));
     NumberSystem best;
     Cost least = ~Cost(0);
-    for (const Proposal& p : proposed_) {
+    for (const Proposal& p : std::span(proposed_).first(std::min(proposed_.size(), finalists))) {
       Cost cost = cost_of<T>(p.system, sample_, least);
       // Words are no lengths, which predictions may know more of than the number before tells.
       if (p.system.map == NumberMap::word) cost += cost / 16;
@@ -64,7 +68,18 @@ class Finder {
       least = cost;
       best = p.system;
     }
-    return best;
+    if (!both || has_all(best)) return {best};
+    std::optional<NumberSystem> second;
+    least = ~Cost(0);
+    for (const Proposal& p : proposed_) {
+      if (!has_all(p.system)) continue;
+      const Cost cost = cost_of<T>(p.system, sample_, least);
+      if (cost >= least) continue;
+      least = cost;
+      second = p.system;
+    }
+    if (!second) return {best};
+    return {best, *second};
   }
 
  private:
@@ -86,6 +101,15 @@ class Finder {
       s.signed_zero = true;
       propose(s);
     }
+  }
+
+  /// Whether none of the sample is a stray.
+  bool has_all(const NumberSystem& s) const {
+    return with_map<T>(s, Scalar::float64, [&](const auto& map) {
+      const Placing<T, std::decay_t<decltype(map)>> placing(s, map);
+      return std::all_of(sample_.words.begin(), sample_.words.end(),
+                         [&](const U word) { return placing.place(word).exact; });
+    });
   }
 
   /// What a system may cost to be among the finalists yet.
@@ -142,7 +166,8 @@ class Finder {
     for (std::size_t p = 0; p < parts; ++p) {
       const std::size_t begin = p * ns.size() / parts, end = (p + 1) * ns.size() / parts;
       std::uint64_t step = 0;
-      for (std::size_t i = begin; i < end; ++i) step = std::gcd(step, absolute(ns[i] - ns[begin]));
+      for (std::size_t i = begin; i < end && step != 1; ++i)
+        step = common_step(step, absolute(ns[i] - ns[begin]));
       if (step > 0) steps.push_back(step);
     }
     if (steps.empty()) return;
@@ -294,21 +319,34 @@ class Finder {
   std::vector<std::uint64_t> divisors_;  ///< for which quotients were proposed
 };
 
+template <class T>
+std::vector<NumberSystem> find(std::span<const WordOf<T>> words, Search search, bool both) {
+  if constexpr (std::is_same_v<T, Whole>) {
+    return {integer_steps(words)};
+  } else {
+    std::size_t equal = 1;
+    while (equal < words.size() && words[equal] == words[0]) ++equal;
+    if (equal >= words.size()) return {NumberSystem()};
+    return Finder<T>(words, search).find(both);
+  }
+}
+
 }  // namespace
 
 template <class T>
 NumberSystem find_system(std::span<const WordOf<T>> words, Search search) {
-  if constexpr (std::is_same_v<T, Whole>) {
-    return integer_steps(words);
-  } else {
-    std::size_t equal = 1;
-    while (equal < words.size() && words[equal] == words[0]) ++equal;
-    return equal >= words.size() ? NumberSystem() : Finder<T>(words, search).find();
-  }
+  return find<T>(words, search, false).front();
+}
+template <class T>
+std::vector<NumberSystem> find_systems(std::span<const WordOf<T>> words, Search search) {
+  return find<T>(words, search, true);
 }
 
 template NumberSystem find_system<float>(std::span<const std::uint32_t>, Search);
 template NumberSystem find_system<double>(std::span<const std::uint64_t>, Search);
 template NumberSystem find_system<Whole>(std::span<const std::uint64_t>, Search);
+template std::vector<NumberSystem> find_systems<float>(std::span<const std::uint32_t>, Search);
+template std::vector<NumberSystem> find_systems<double>(std::span<const std::uint64_t>, Search);
+template std::vector<NumberSystem> find_systems<Whole>(std::span<const std::uint64_t>, Search);
 
 }  // namespace clers::internal

@@ -3,6 +3,7 @@
 #define CLERS_CODEC_NUMBERS_NEAR_GRID_H
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +17,30 @@ struct Grid {
   double origin = 0, step = 0;
 };
 
+/// A few of many numbers, then more of them, sorted when they are asked for: where numbers are on
+/// no grid few show it.
+template <class T>
+class SortedSamples {
+ public:
+  static constexpr std::size_t count = 3;
+
+  explicit SortedSamples(const std::vector<T>& numbers) : numbers_(numbers) {}
+
+  const std::vector<T>& operator[](std::size_t i) {
+    constexpr std::array<std::size_t, count> most = {128, 512, 2048};
+    std::vector<T>& sample = samples_[i];
+    if (!sample.empty()) return sample;
+    const std::size_t every = numbers_.size() / most[i] + 1;
+    for (std::size_t k = 0; k < numbers_.size(); k += every) sample.push_back(numbers_[k]);
+    std::sort(sample.begin(), sample.end());
+    return sample;
+  }
+
+ private:
+  const std::vector<T>& numbers_;
+  std::array<std::vector<T>, count> samples_;
+};
+
 /// Finds the grid of numbers, if its steps are longer than `step`, and no number is further from
 /// its nearest point than 0.08 of them and 0.45 `step`: to move them there is nearer than to move
 /// them to a grid of `step`, whose numbers are larger.
@@ -23,22 +48,15 @@ struct Grid {
 ///     o  oo      o        o  o     o       numbers
 ///     |      |       |       |       |     too far from all points: no grid
 ///
-/// Cost: that of sorting a sample, and a look at all numbers if that has a grid.
+/// Cost: that of sorting samples, and a look at all numbers if these have a grid.
 class NearGrid {
  public:
   explicit NearGrid(double step) : step_(step) {}
 
   template <class T>
-  std::optional<Grid> find(const std::vector<T>& numbers) {
-    // Where there is no grid, few numbers show it.
-    for (const std::size_t most_sampled : {std::size_t(128), std::size_t(2048)}) {
-      const std::size_t every = numbers.size() / most_sampled + 1;
-      std::vector<double> sample;
-      for (std::size_t i = 0; i < numbers.size(); i += every)
-        sample.push_back(static_cast<double>(numbers[i]));
-      std::sort(sample.begin(), sample.end());
-      if (!cluster(sample) && (most_sampled == 2048 || too_near_)) return std::nullopt;
-    }
+  std::optional<Grid> find(const std::vector<T>& numbers, SortedSamples<T>& samples) {
+    for (std::size_t i = 0; i < samples.count; ++i)
+      if (!cluster(samples[i]) && (i + 1 == samples.count || too_near_)) return std::nullopt;
     double least = centres_.back() - centres_.front();
     for (std::size_t i = 1; i < centres_.size(); ++i)
       least = std::min(least, centres_[i] - centres_[i - 1]);
@@ -53,17 +71,19 @@ class NearGrid {
  private:
   /// Numbers that are one point of the grid have one centre. Fails where two are neither near each
   /// other nor a step apart, which is soon where there is no grid.
-  bool cluster(const std::vector<double>& sorted) {
+  template <class T>
+  bool cluster(const std::vector<T>& sorted) {
+    const auto at = [&](std::size_t i) { return static_cast<double>(sorted[i]); };
     centres_.clear();
     too_near_ = false;
     for (std::size_t begin = 0, i = 1; i <= sorted.size(); ++i) {
-      const double gap = i < sorted.size() ? sorted[i] - sorted[i - 1] : step_;
+      const double gap = i < sorted.size() ? at(i) - at(i - 1) : step_;
       if (gap <= 0.1 * step_) continue;
       if (gap < 0.9 * step_) {
         too_near_ = true;
         return false;
       }
-      centres_.push_back(0.5 * sorted[begin] + 0.5 * sorted[i - 1]);  // no overflow
+      centres_.push_back(0.5 * at(begin) + 0.5 * at(i - 1));  // no overflow
       begin = i;
     }
     return centres_.size() > 2;

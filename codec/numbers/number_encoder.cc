@@ -4,27 +4,19 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstring>
 #include <optional>
 #include <utility>
 
 #include "codec/base/portable.h"
 #include "codec/entropy/stream.h"
+#include "codec/numbers/choose_palette.h"
 #include "codec/numbers/component_words.h"
 #include "codec/numbers/find_system.h"
 #include "codec/numbers/place_numbers.h"
 
 namespace clers::internal {
 namespace {
-
-/// How many bits differences to the value before have, in all: what orders of magnitude cost.
-std::uint64_t bits_of_steps(const std::vector<std::uint64_t>& ks) {
-  std::uint64_t bits = 0, before = 0;
-  for (const std::uint64_t k : ks) {
-    bits += static_cast<unsigned>(std::bit_width(zigzag(k - before)));
-    before = k;
-  }
-  return bits;
-}
 
 /// How many low bits of K are better not predicted: those that make integers too wide, or wide
 /// where nothing is near enough to predict them from.
@@ -40,67 +32,6 @@ unsigned choose_low_bits(const PlacedColumn& column) {
     before = k;
   }
   return near > column.ks.size() / 8 ? needed : narrow;
-}
-
-/// The integers that occur, in order, if they are no more than `most`; else none.
-std::vector<std::uint64_t> occurring_small(const std::vector<std::uint64_t>& ks, std::uint64_t top,
-                                           std::size_t most) {
-  std::vector<std::uint64_t> bits(static_cast<std::size_t>(top / 64) + 1), all;
-  std::size_t count = 0;
-  for (const std::uint64_t k : ks) {
-    std::uint64_t& word = bits[static_cast<std::size_t>(k / 64)];
-    count += (word >> k % 64 & 1) ^ 1;
-    word |= std::uint64_t(1) << k % 64;
-    if (count > most) return {};
-  }
-  for (std::size_t i = 0; i < bits.size(); ++i)
-    for (std::uint64_t word = bits[i]; word != 0; word &= word - 1)
-      all.push_back(64 * i + static_cast<unsigned>(std::countr_zero(word)));
-  return all;
-}
-
-/// The same for a `top` that is not small; also none where a sample says that they are not so few.
-std::vector<std::uint64_t> occurring(const std::vector<std::uint64_t>& ks, std::size_t most) {
-  std::vector<std::uint64_t> all;
-  // A hash table that is given up when it has too many.
-  const auto collect = [&](std::size_t every, std::size_t limit) {
-    std::vector<std::uint64_t> table(std::bit_ceil(2 * limit + 2), ~std::uint64_t(0));
-    all.clear();
-    for (std::size_t i = 0; i < ks.size(); i += every) {
-      const std::uint64_t k = ks[i];
-      std::size_t at = (k * 0x9e3779b97f4a7c15u >> 20) & (table.size() - 1);
-      while (table[at] != k && table[at] != ~std::uint64_t(0)) at = (at + 1) & (table.size() - 1);
-      if (table[at] == k) continue;
-      if (all.size() == limit) return false;
-      table[at] = k;
-      all.push_back(k);
-    }
-    return true;
-  };
-  // Of s numbers drawn from at most `most`, about s * s / (2 * most) have occurred before.
-  constexpr std::size_t every = 15;
-  const std::size_t sampled = (ks.size() + every - 1) / every,
-                    again = sampled * sampled / (8 * std::max(sampled, most));
-  if (!collect(every, sampled - again) || !collect(1, most)) return {};
-  std::sort(all.begin(), all.end());
-  return all;
-}
-
-/// The integers that occur, if they are few and their ranks much shorter; else none.
-std::vector<std::uint64_t> choose_palette(const std::vector<std::uint64_t>& ks, std::uint64_t top) {
-  const auto most = static_cast<std::size_t>(std::min<std::uint64_t>(ks.size() / 3, top / 2));
-  if (ks.size() < 6 || top < 8) return {};
-  std::vector<std::uint64_t> palette =
-      top / 64 < ks.size() ? occurring_small(ks, top, most) : occurring(ks, most);
-  if (palette.empty()) return {};
-  std::vector<std::uint64_t> ranks(ks.size());
-  for (std::size_t i = 0; i < ks.size(); ++i)
-    ranks[i] = static_cast<std::uint64_t>(std::lower_bound(palette.begin(), palette.end(), ks[i]) -
-                                          palette.begin());
-  const std::uint64_t plain = bits_of_steps(ks), ranked = bits_of_steps(ranks);
-  const std::uint64_t entry = 4 + std::uint64_t(std::bit_width(top / palette.size()));
-  return ranked + entry * palette.size() + plain / 32 < plain ? palette
-                                                              : std::vector<std::uint64_t>();
 }
 
 /// A component, ready to be written.
@@ -195,7 +126,8 @@ EncodedColumn encode_column(PlacedColumn column, const Map& map, int level, Inte
     for (const Stray& stray : column.strays) known[stray.index] = {};
   }
   if (integers == Integers::as_coded)
-    header.axis.palette = choose_palette(column.ks, header.axis.top);
+    header.axis.palette =
+        choose_palette(std::span<const std::uint64_t>(column.ks), 1, header.axis.top);
   if (!header.axis.palette.empty())
     out.palette = encode_stream(
         [&](auto& coder) { code_palette(coder, header.axis.palette, header.axis.top); });
@@ -261,6 +193,41 @@ NumberedValues put_into_octahedral(std::span<const std::byte> values, Scalar sca
   return out;
 }
 
+/// A component of values in a system.
+EncodedColumn column_in(const NumberSystem& system, std::span<const std::byte> values,
+                        const Component& place, int level, Integers integers = Integers::as_coded) {
+  return with_number_type(place.scalar, [&](auto type) {
+    using T = decltype(type);
+    const auto numbers = words_of<T>(values, place);
+    return with_map<T>(system, place.scalar, [&](const auto& map) {
+      return encode_column<T>(place_column<T>(std::span(numbers), system, map), map, level,
+                              integers);
+    });
+  });
+}
+
+/// How many bits differences to the value before have, in all: what orders of magnitude cost.
+std::uint64_t bits_of_steps(const std::vector<std::uint64_t>& ks) {
+  std::uint64_t bits = 0, before = 0;
+  for (const std::uint64_t k : ks) {
+    bits += static_cast<unsigned>(std::bit_width(zigzag(k - before)));
+    before = k;
+  }
+  return bits;
+}
+
+/// About how many bits a column takes, its integers by their differences.
+std::uint64_t about_bits(const EncodedColumn& column) {
+  const auto& palette = column.header.axis.palette;
+  std::vector<std::uint64_t> ks = column.ks;
+  if (!palette.empty())
+    for (std::uint64_t& k : ks)
+      k = static_cast<std::uint64_t>(std::lower_bound(palette.begin(), palette.end(), k) -
+                                     palette.begin());
+  return bits_of_steps(ks) +
+         8 * (column.palette.size() + column.refinements.size() + column.strays.bytes.size());
+}
+
 template <class Int>
 void set_rows(const std::vector<EncodedColumn>& columns, std::vector<Int>& rows) {
   const std::size_t count = columns.front().ks.size(), components = columns.size();
@@ -270,25 +237,8 @@ void set_rows(const std::vector<EncodedColumn>& columns, std::vector<Int>& rows)
       rows[i * components + c] = static_cast<Int>(columns[c].ks[i]);
 }
 
-}  // namespace
-
-NumberedValues put_into_systems(std::span<const std::byte> values, Scalar scalar,
-                                std::vector<NumberSystem> systems, int level, Integers integers) {
-  const DoublePrecision doubles;
-  if (!systems.empty() && systems[0].map == NumberMap::octahedral)
-    return put_into_octahedral(values, scalar, systems[0].precision);
-  const std::size_t components = systems.size();
-  std::vector<EncodedColumn> columns;
-  for (std::size_t c = 0; c < components; ++c) {
-    columns.push_back(with_number_type(scalar, [&](auto type) {
-      using T = decltype(type);
-      const auto numbers = words_of<T>(values, {scalar, components, c});
-      return with_map<T>(systems[c], scalar, [&](const auto& map) {
-        return encode_column<T>(place_column<T>(std::span(numbers), systems[c], map), map, level,
-                                integers);
-      });
-    }));
-  }
+/// All but the integers.
+NumberedValues with_headers(std::vector<EncodedColumn>& columns, Scalar scalar) {
   NumberedValues out;
   out.numbers.scalar = scalar;
   for (const EncodedColumn& column : columns) {
@@ -296,25 +246,50 @@ NumberedValues put_into_systems(std::span<const std::byte> values, Scalar scalar
     out.numbers.axes.push_back(column.header.axis);
   }
   set_scales(out.numbers);
-  for (std::size_t c = 0; c < components; ++c) {
+  for (std::size_t c = 0; c < columns.size(); ++c) {
     columns[c].header.axis.scale = out.numbers.axes[c].scale;
     columns[c].put(out.bytes, c == 0 ? nullptr : &columns[c - 1].header.system);
   }
+  return out;
+}
+
+NumberedValues numbered(std::vector<EncodedColumn>& columns, Scalar scalar) {
+  NumberedValues out = with_headers(columns, scalar);
   out.numbers.narrow() ? set_rows(columns, out.narrow) : set_rows(columns, out.wide);
   return out;
+}
+
+}  // namespace
+
+NumberedValues put_into_systems(std::span<const std::byte> values, Scalar scalar,
+                                std::vector<NumberSystem> systems, int level, Integers integers) {
+  const DoublePrecision doubles;
+  if (!systems.empty() && systems[0].map == NumberMap::octahedral)
+    return put_into_octahedral(values, scalar, systems[0].precision);
+  std::vector<EncodedColumn> columns;
+  for (std::size_t c = 0; c < systems.size(); ++c)
+    columns.push_back(column_in(systems[c], values, {scalar, systems.size(), c}, level, integers));
+  return numbered(columns, scalar);
 }
 
 NumberedValues number_values(std::span<const std::byte> values, Scalar scalar,
                              std::size_t components, int level) {
   const DoublePrecision doubles;
-  std::vector<NumberSystem> systems;
-  for (std::size_t c = 0; c < components; ++c)
-    systems.push_back(with_number_type(scalar, [&](auto type) {
+  std::vector<EncodedColumn> columns;
+  for (std::size_t c = 0; c < components; ++c) {
+    const Component place{scalar, components, c};
+    const auto systems = with_number_type(scalar, [&](auto type) {
       using T = decltype(type);
-      return find_system<T>(words_of<T>(values, {scalar, components, c}),
-                            level < 5 ? Search::quick : Search::thorough);
-    }));
-  return put_into_systems(values, scalar, std::move(systems), level);
+      const auto words = words_of<T>(values, place);
+      if (level < 5) return std::vector{find_system<T>(words, Search::quick)};
+      return find_systems<T>(words, Search::thorough);
+    });
+    columns.push_back(column_in(systems[0], values, place, level));
+    if (systems.size() < 2) continue;
+    EncodedColumn other = column_in(systems[1], values, place, level);
+    if (about_bits(other) < about_bits(columns.back())) columns.back() = std::move(other);
+  }
+  return numbered(columns, scalar);
 }
 
 std::vector<NumberedValues> number_for_lines(std::span<const std::byte> values, Scalar scalar,
@@ -336,6 +311,35 @@ std::vector<NumberedValues> number_for_lines(std::span<const std::byte> values, 
                   [](const NumberSystem& s) { return s.map != NumberMap::word; }))
     all.push_back(put_into_systems(values, scalar, found, level, Integers::whole));
   return all;
+}
+
+NumberedValues put_integers(std::span<const std::byte> integers, Scalar scalar,
+                            std::vector<NumberSystem> systems) {
+  const std::size_t components = systems.size();
+  std::vector<std::int32_t> rows(integers.size() / sizeof(std::int32_t));
+  if (!rows.empty()) std::memcpy(rows.data(), integers.data(), integers.size());
+  std::vector<EncodedColumn> columns(components);
+  for (std::size_t c = 0; c < components; ++c) {
+    NumberColumn& header = columns[c].header;
+    header.system = systems[c];
+    if (rows.empty()) continue;
+    std::int32_t least = rows[c], greatest = rows[c];
+    for (std::size_t i = c; i < rows.size(); i += components) {
+      least = std::min(least, rows[i]);
+      greatest = std::max(greatest, rows[i]);
+    }
+    for (std::size_t i = c; i < rows.size(); i += components) rows[i] -= least;
+    header.system.first += least * static_cast<std::int64_t>(header.system.step);
+    header.axis.top = static_cast<std::uint64_t>(std::int64_t(greatest) - least);
+    header.axis.palette =
+        choose_palette(std::span<const std::int32_t>(rows).subspan(c), components, header.axis.top);
+    if (!header.axis.palette.empty())
+      columns[c].palette = encode_stream(
+          [&](auto& coder) { code_palette(coder, header.axis.palette, header.axis.top); });
+  }
+  NumberedValues out = with_headers(columns, scalar);
+  out.narrow = std::move(rows);
+  return out;
 }
 
 void put_plain_numbers(Bytes& out, const Numbers& numbers) {

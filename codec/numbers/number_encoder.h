@@ -44,6 +44,11 @@ NumberedValues put_into_systems(std::span<const std::byte> values, Scalar scalar
 std::vector<NumberedValues> number_for_lines(std::span<const std::byte> values, Scalar scalar,
                                              std::size_t components, int level);
 
+/// The same of values that are integers already, K of their systems, packed as std::int32_t. No
+/// component's range is greater than most_narrow.
+NumberedValues put_integers(std::span<const std::byte> integers, Scalar scalar,
+                            std::vector<NumberSystem> systems);
+
 /// Appends the bytes of systems without refinements and strays: what the caller made integers of.
 /// Preconditions: as NumberReader::read checks them.
 void put_plain_numbers(Bytes& out, const Numbers& numbers);

@@ -65,9 +65,10 @@ inline std::unique_ptr<NumberLine> number_line(const NumberSystem& system, const
                              : mask + static_cast<std::uint64_t>(steps);
           }
           const std::int64_t n = map.locate(word).n;
-          const bool before = system.map == NumberMap::word
-                                  ? static_cast<std::uint64_t>(n) < static_cast<std::uint64_t>(system.first)
-                                  : n < system.first;
+          const bool before =
+              system.map == NumberMap::word
+                  ? static_cast<std::uint64_t>(n) < static_cast<std::uint64_t>(system.first)
+                  : n < system.first;
           if (before) return 0;
           const std::uint64_t away =
               static_cast<std::uint64_t>(n) - static_cast<std::uint64_t>(system.first);

@@ -127,9 +127,8 @@ template <class T>
 struct QuotientMap : PlainMap {
   using U = WordOf<T>;
   QuotientMap(const NumberSystem& s, Scalar) : divisor(double(s.divisor)) {}
-  U word(std::int64_t n, std::uint64_t) const {
-    return std::bit_cast<U>(static_cast<T>(double(n) / divisor));
-  }
+  U at(double n) const { return std::bit_cast<U>(static_cast<T>(n / divisor)); }
+  U word(std::int64_t n, std::uint64_t) const { return at(double(n)); }
   NumberPlace locate(U bits) const {
     return {nearest_integer(double(std::bit_cast<T>(bits)) * divisor), 0};
   }
@@ -140,9 +139,8 @@ template <class T>
 struct AffineMap : PlainMap {
   using U = WordOf<T>;
   AffineMap(const NumberSystem& s, Scalar) : origin(s.origin), length(s.length) {}
-  U word(std::int64_t n, std::uint64_t) const {
-    return std::bit_cast<U>(static_cast<T>(origin + double(n) * length));
-  }
+  U at(double n) const { return std::bit_cast<U>(static_cast<T>(origin + n * length)); }
+  U word(std::int64_t n, std::uint64_t) const { return at(double(n)); }
   NumberPlace locate(U bits) const {
     return {nearest_integer((double(std::bit_cast<T>(bits)) - origin) / length), 0};
   }

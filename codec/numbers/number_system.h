@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,8 @@ struct AttributePlan {
   std::vector<NumberSystem> systems = {};  ///< as in Numbers; none: they are found
   double error = 0;                        ///< of the values, which are in the systems already
   ErrorMeasure measure = ErrorMeasure::difference;
+  /// The type of numbers whose K, as std::int32_t, are handed on instead of values.
+  std::optional<Scalar> integers_of = {};
 };
 
 /// How far apart two neighbours on an axis are; 0 where that is not the same everywhere.

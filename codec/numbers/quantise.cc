@@ -17,6 +17,7 @@
 #include "codec/numbers/directions.h"
 #include "codec/numbers/find_system.h"
 #include "codec/numbers/floating_maps.h"
+#include "codec/numbers/move_to_grid.h"
 #include "codec/numbers/near_grid.h"
 #include "codec/numbers/number_format.h"
 #include "codec/numbers/number_maps.h"
@@ -27,9 +28,6 @@ namespace clers::internal {
 namespace {
 
 using Kind = Precision::Kind;
-
-/// So far from its origin a number may be: there doubles still tell all points of a grid apart.
-constexpr double most_steps = double(std::int64_t(1) << 50);
 
 /// The numbers of a component, in the order of the values.
 template <class T>
@@ -94,34 +92,6 @@ NumberSystem system_of(const Grid& grid, Scalar scalar, double largest) {
   return system;
 }
 
-/// What a number is to maps: a float, or a whole number of any type.
-template <class T>
-using NumberType = std::conditional_t<std::is_floating_point_v<T>, T, Whole>;
-
-template <class T>
-WordOf<NumberType<T>> word_of(T x) {
-  if constexpr (std::is_floating_point_v<T>)
-    return std::bit_cast<WordOf<T>>(x);
-  else
-    return static_cast<std::make_unsigned_t<T>>(x) ^ key_mask(scalar_of<T>());
-}
-template <class T>
-T number_of(WordOf<NumberType<T>> word) {
-  if constexpr (std::is_floating_point_v<T>)
-    return std::bit_cast<T>(word);
-  else
-    return static_cast<T>(static_cast<std::make_unsigned_t<T>>(word ^ key_mask(scalar_of<T>())));
-}
-
-/// Calls use with a function that gives point k of a grid.
-template <class T, class Use>
-auto with_points(const NumberSystem& system, Use use) {
-  const auto step = static_cast<std::int64_t>(system.step);
-  return with_map<NumberType<T>>(system, scalar_of<T>(), [&](const auto& map) {
-    return use([step, &map](std::int64_t k) { return number_of<T>(map.word(k * step, 0)); });
-  });
-}
-
 /// Whether a file may have a system with the points of a grid that are near numbers.
 template <class T>
 bool is_writable(const NumberSystem& system, const Grid& grid, const Bounds<T>& bounds) {
@@ -132,77 +102,14 @@ bool is_writable(const NumberSystem& system, const Grid& grid, const Bounds<T>& 
   return farthest / grid.step + 2 < double(most_integer<NumberType<T>>(system));
 }
 
-/// The point of a grid that is nearest to a number, the lower of two. `k` is near it, and
-/// `error` how far off.
-template <class T, class Points>
-std::int64_t nearest_point(T x, std::int64_t k, const Points& point, double& error) {
-  for (const std::int64_t way : {-1, 1})
-    for (;;) {
-      const double other = difference(x, point(k + way));
-      if (!(other < error || (way < 0 && other == error && point(k + way) < point(k)))) break;
-      k += way;
-      error = other;
-    }
-  return k;
-}
-
-struct Moved {
-  double error = 0;                         ///< the largest difference
-  std::optional<std::size_t> too_far = {};  ///< the first number that is too far away
-};
-
-/// Where the numbers of a component go: packed values.
-template <class T>
-struct Column {
-  std::byte* first;
-  std::size_t stride;
-
-  void set(std::size_t i, T x) const { std::memcpy(first + i * stride, &x, sizeof(T)); }
-};
-
-/// Moves the numbers of a component to a grid.
-template <class T>
-Moved move_to(const std::vector<T>& numbers, const Grid& grid, bool keep_zeros,
-              const NumberSystem& system, const Column<T>& to) {
-  Moved moved;
-  const double sure = 0.49 * grid.step;  // no other point is as near
-  with_points<T>(system, [&](const auto& point) {
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const T x = numbers[i];
-      const double k = (static_cast<double>(x) - grid.origin) / grid.step;
-      if (!(std::fabs(k) < most_steps)) {
-        moved.too_far = i;
-        return;
-      }
-      const std::int64_t near = nearest_integer(k);
-      T y = point(near);
-      double error = 0;
-      if constexpr (std::is_floating_point_v<T>)
-        error = std::fabs(static_cast<double>(x) - static_cast<double>(y));
-      else
-        error = difference(x, y);
-      if (!(error <= sure)) {
-        error = difference(x, y);
-        y = point(nearest_point(x, near, point, error));
-      }
-      to.set(i, keep_zeros && x == y ? x : y);
-      moved.error = std::max(moved.error, error);
-    }
-  });
-  return moved;
-}
-
 /// Whether two numbers of a sample are nearer to each other than points a step apart can be. On
 /// no such grid, few are enough to show it.
 template <class T>
-bool has_nearer(const std::vector<T>& numbers, double largest, double step) {
+bool has_nearer(SortedSamples<T>& samples, double largest, double step) {
   const double rounding =
       std::is_floating_point_v<T> ? largest * double(std::numeric_limits<T>::epsilon()) : 0;
-  for (const std::size_t most : {std::size_t(128), std::size_t(2048)}) {
-    const std::size_t every = numbers.size() / most + 1;
-    std::vector<T> sample;
-    for (std::size_t i = 0; i < numbers.size(); i += every) sample.push_back(numbers[i]);
-    std::sort(sample.begin(), sample.end());
+  for (std::size_t s = 0; s < samples.count; ++s) {
+    const std::vector<T>& sample = samples[s];
     for (std::size_t i = 1; i < sample.size(); ++i)
       if (sample[i] != sample[i - 1] &&
           difference(sample[i], sample[i - 1]) + rounding < 0.9 * step)
@@ -214,32 +121,36 @@ bool has_nearer(const std::vector<T>& numbers, double largest, double step) {
 /// The system that numbers are in already, if its points are at least as far apart as those of a
 /// grid: so they are fewer, and nothing is lost.
 template <class T>
-std::optional<NumberSystem> coarser_system(const std::vector<T>& numbers, double largest,
-                                           double step) {
+std::optional<NumberSystem> coarser_system(const std::vector<T>& numbers, SortedSamples<T>& samples,
+                                           double largest, double step) {
   using Number = NumberType<T>;
-  if (has_nearer(numbers, largest, step)) return std::nullopt;
+  if (has_nearer(samples, largest, step)) return std::nullopt;
   std::vector<WordOf<Number>> words;
   words.reserve(numbers.size());
   for (const T x : numbers) words.push_back(word_of(x));
-  const NumberSystem found = find_system<Number>(words, Search::thorough);
-  if (found.low_bits > 0 || found.ulps > 0) return std::nullopt;
-  if (found.map != (std::is_floating_point_v<T> ? NumberMap::quotient : NumberMap::word))
-    return std::nullopt;
-  const double apart = std::is_floating_point_v<T> ? spacing(found) : double(found.step);
-  if (!(apart >= step)) return std::nullopt;
-  const bool has_all = with_map<Number>(found, scalar_of<T>(), [&](const auto& map) {
-    const Placing<Number, std::decay_t<decltype(map)>> placing(found, map);
-    return std::all_of(words.begin(), words.end(),
-                       [&](auto word) { return placing.place(word).exact; });
-  });
-  return has_all ? std::optional(found) : std::nullopt;
+  // A few numbers show of which kind the system is; many, which steps those have in common that do
+  // not occur often.
+  for (const Search search : {Search::quick, Search::thorough}) {
+    const NumberSystem found = find_system<Number>(words, search);
+    if (found.low_bits > 0 || found.ulps > 0) return std::nullopt;
+    if (found.map != (std::is_floating_point_v<T> ? NumberMap::quotient : NumberMap::word))
+      return std::nullopt;
+    const bool has_all = with_map<Number>(found, scalar_of<T>(), [&](const auto& map) {
+      const Placing<Number, std::decay_t<decltype(map)>> placing(found, map);
+      return std::all_of(words.begin(), words.end(),
+                         [&](auto word) { return placing.place(word).exact; });
+    });
+    const double apart = std::is_floating_point_v<T> ? spacing(found) : double(found.step);
+    if (has_all) return apart >= step ? std::optional(found) : std::nullopt;
+  }
+  return std::nullopt;
 }
 
 template <class T>
 class Quantiser {
  public:
-  Quantiser(const AttributeView& a, const Precision& precision)
-      : a_(a), precision_(precision), count_(value_count(a)) {
+  Quantiser(const AttributeView& a, const Precision& precision, bool as_values)
+      : a_(a), precision_(precision), as_values_(as_values), count_(value_count(a)) {
     for (std::size_t c = 0; c < a.components; ++c) numbers_.push_back(numbers_of<T>(a, count_, c));
   }
 
@@ -296,30 +207,79 @@ class Quantiser {
   }
 
   Expected<QuantisedValues> move_all(const std::vector<Grid>& grids, bool keep_zeros) {
+    if (!std::is_floating_point_v<T> && grids[0].step <= 1) return QuantisedValues{};
+    std::vector<Target> targets;
+    for (std::size_t c = 0; c < numbers_.size(); ++c)
+      targets.push_back(target(c, grids[c], keep_zeros));
+    if constexpr (std::is_floating_point_v<T>)
+      if (auto integers = as_values_ ? std::nullopt : as_integers(targets, keep_zeros))
+        return std::move(*integers);
+    return as_values(targets, keep_zeros);
+  }
+
+  /// Where the numbers of a component go.
+  struct Target {
+    Grid grid;
+    NumberSystem system;                  ///< with the points of the grid
+    std::optional<NumberSystem> coarser;  ///< that they are in already
+  };
+
+  Target target(std::size_t c, const Grid& asked, bool keep_zeros) {
+    SortedSamples<T> samples(numbers_[c]);
+    Target to{asked, {}, {}};
+    const double largest = bounds_[c].largest();
+    if (std::is_floating_point_v<T> && !keep_zeros)
+      if (const auto near = NearGrid(asked.step).find(numbers_[c], samples)) to.grid = *near;
+    to.system = system_of(to.grid, a_.scalar, largest);
+    // Grids that do not depend on the values are left for a coarser one only if that changes none.
+    if (!keep_zeros || all_on(numbers_[c], to.grid, to.system))
+      to.coarser = coarser_system(numbers_[c], samples, largest, asked.step);
+    return to;
+  }
+
+  /// As integers, if there are some that give all numbers back as they are decoded.
+  std::optional<QuantisedValues> as_integers(const std::vector<Target>& targets, bool keep_zeros) {
     QuantisedValues all;
-    if (!std::is_floating_point_v<T> && grids[0].step <= 1) return all;
+    const std::size_t components = targets.size();
+    all.values.resize(count_ * components * sizeof(std::int32_t));
+    for (std::size_t c = 0; c < components; ++c) {
+      const Column<std::int32_t> column{all.values.data() + c * sizeof(std::int32_t),
+                                        components * sizeof(std::int32_t)};
+      const Target& to = targets[c];
+      if (to.coarser) {
+        if (!place_all(numbers_[c], *to.coarser, column)) return std::nullopt;
+      } else {
+        if (!is_writable<T>(to.system, to.grid, bounds_[c]) ||
+            !is_plain(numbers_[c], bounds_[c], to.grid, keep_zeros))
+          return std::nullopt;
+        all.plan.error =
+            std::max(all.plan.error, move_to_integers(numbers_[c], to.grid, to.system, column));
+      }
+      all.plan.systems.push_back(to.coarser ? *to.coarser : to.system);
+    }
+    if (all.plan.error == 0) return QuantisedValues{};
+    all.plan.integers_of = a_.scalar;
+    return all;
+  }
+
+  Expected<QuantisedValues> as_values(const std::vector<Target>& targets, bool keep_zeros) {
+    QuantisedValues all;
     all.values.resize(count_ * a_.value_size());
     bool all_writable = true;
     for (std::size_t c = 0; c < numbers_.size(); ++c) {
-      Grid grid = grids[c];
-      if (std::is_floating_point_v<T> && !keep_zeros)
-        if (const auto near = NearGrid(grid.step).find(numbers_[c])) grid = *near;
-      NumberSystem system = system_of(grid, a_.scalar, bounds_[c].largest());
-      bool writable = is_writable<T>(system, grid, bounds_[c]);
+      const Target& to = targets[c];
       const Column<T> column{all.values.data() + c * sizeof(T), a_.value_size()};
-      Moved component = move_to(numbers_[c], grid, keep_zeros, system, column);
+      if (to.coarser) {
+        for (std::size_t i = 0; i < count_; ++i) column.set(i, numbers_[c][i]);
+        all.plan.systems.push_back(*to.coarser);
+        continue;
+      }
+      const Moved component = move_to(numbers_[c], to.grid, keep_zeros, to.system, column);
       if (component.too_far)
         return not_on_grid(a_, *component.too_far, "is too many steps away from the origin");
-      if (!keep_zeros || component.error == 0)
-        if (const auto coarser = coarser_system(numbers_[c], bounds_[c].largest(), grids[c].step)) {
-          for (std::size_t i = 0; i < count_; ++i) column.set(i, numbers_[c][i]);
-          component = {};
-          system = *coarser;
-          writable = true;
-        }
-      all_writable &= writable;
+      all_writable &= is_writable<T>(to.system, to.grid, bounds_[c]);
       all.plan.error = std::max(all.plan.error, component.error);
-      all.plan.systems.push_back(system);
+      all.plan.systems.push_back(to.system);
     }
     if (all.plan.error == 0) return QuantisedValues{};
     if (!all_writable) all.plan.systems.clear();
@@ -328,6 +288,7 @@ class Quantiser {
 
   const AttributeView& a_;
   const Precision& precision_;
+  const bool as_values_;
   const std::size_t count_;
   std::vector<std::vector<T>> numbers_;  // of each component
   std::vector<Bounds<T>> bounds_;
@@ -363,7 +324,8 @@ std::string precision_fault(const Precision& precision) {
   return "no such precision";
 }
 
-Expected<QuantisedValues> quantise(const AttributeView& attribute, const Precision& precision) {
+Expected<QuantisedValues> quantise(const AttributeView& attribute, const Precision& precision,
+                                   bool as_values) {
   if (precision.kind == Kind::lossless) return QuantisedValues{};
   const bool directions = precision.kind == Kind::directions ||
                           (precision.kind == Kind::bits && precision.or_directions &&
@@ -382,7 +344,7 @@ Expected<QuantisedValues> quantise(const AttributeView& attribute, const Precisi
                                            " components for '" + std::string(attribute.name) +
                                            "', which has " + std::to_string(attribute.components));
   return with_type(attribute.scalar, [&](auto type) {
-    return Quantiser<decltype(type)>(attribute, precision).run();
+    return Quantiser<decltype(type)>(attribute, precision, as_values).run();
   });
 }
 

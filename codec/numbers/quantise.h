@@ -45,7 +45,9 @@ std::string precision_fault(const Precision& precision);
 /// Errors: bad_option (another number of origins; directions of what is not three floats),
 /// not_on_grid. Preconditions: no precision_fault; not Precision::Kind::recomputed.
 /// Cost: linear, and a copy of the values.
-Expected<QuantisedValues> quantise(const AttributeView& attribute, const Precision& precision);
+/// Where `as_values` is set, integers are never handed on instead: others need the values.
+Expected<QuantisedValues> quantise(const AttributeView& attribute, const Precision& precision,
+                                   bool as_values = false);
 
 }  // namespace clers::internal
 

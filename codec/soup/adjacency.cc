@@ -67,18 +67,19 @@ class StreamingMatcher {
   };
   static std::uint32_t place(Key key) { return (key >> 1) * 0x9e3779b1u >> 29; }
 
-  /// Whether faces that follow each other are far from each other: then each waits for memory.
+  /// Whether many faces are far from the one before: then each waits for memory, or at least for
+  /// a cache that is not the nearest.
   bool shuffled(std::uint32_t n) const {
-    constexpr std::uint32_t far = 1u << 12, samples = 256;
+    constexpr std::uint32_t far = 1u << 7, samples = 256;
     const std::uint32_t faces = n / 3;
-    if (cells_.size() < 16 * far || faces < 2 * samples) return false;
+    if (cells_.size() < 64 * far || faces < 2 * samples) return false;
     std::uint32_t count = 0;
     for (std::uint32_t i = 0; i < samples; ++i) {
       const std::uint32_t h =
           static_cast<std::uint32_t>(std::uint64_t(faces - 1) * i / samples) * 3;
       count += std::max(org_[h], org_[h + 3]) - std::min(org_[h], org_[h + 3]) > far;
     }
-    return count > samples / 2;
+    return count > samples / 4;
   }
 
   template <bool prefetch>

@@ -27,7 +27,12 @@ Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, Wa
   EncodedSurface out;
   const Faces& faces = surface.faces;
   const SurfaceArrays arrays{faces.org, surface.twins, surface.vertex_count, surface.sizes};
-  auto coded = encode_connectivity(arrays, level, wanted == Wanted::surface_with_twins);
+  const bool copies = surface.cut && !surface.cut->copied.empty();
+  const bool no_surface = wanted == Wanted::nothing && !copies;
+  auto coded = encode_connectivity(arrays, level,
+                                   no_surface                             ? Kept::nothing
+                                   : wanted == Wanted::surface_with_twins ? Kept::corners_and_twins
+                                                                          : Kept::corners);
   if (!coded) return Failure{coded.error()};
 
   std::vector<std::uint32_t>& order = out.order.faces;
@@ -54,8 +59,7 @@ Expected<EncodedSurface> encode_faces(const SurfaceFaces& surface, int level, Wa
     out.reversed = encode_reversed(out.reversed_runs, order.size());
   }
 
-  const bool copies = surface.cut && !surface.cut->copied.empty();
-  if (wanted != Wanted::nothing || copies) out.surface = coded_surface(arrays, *coded);
+  if (!no_surface) out.surface = coded_surface(surface.vertex_count, *coded);
   out.order.vertices = std::move(coded->vertices);
   if (copies) {
     const std::vector<std::uint32_t>& copied = surface.cut->copied;

@@ -180,7 +180,7 @@ Expected<Attribute> decoded_attribute(std::span<const std::byte> bytes, std::uin
 }
 
 TEST(Attributes, ComeBackByAnyPredictor) {
-  const Surface s = coded(corpus::punch_holes(corpus::torus(20, 15), 12, 1));
+  const Surface s = coded(corpus::punch_holes(corpus::torus(11, 8), 5, 1));
   const auto vertices = static_cast<std::uint32_t>(s.introduced_by.size());
   corpus::Random random(1);
   for (unsigned scalar = 0; scalar < scalar_count; ++scalar)

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -38,6 +39,35 @@ inline CodedArrays coded(const Mesh& mesh) {
   return decoded(bytes->bytes);
 }
 
+/// A torus, with places by what `at(i, j)` says: i around it, j across. Three integers a vertex.
+template <class Int, class At>
+std::pair<CodedArrays, std::vector<Int>> coded_torus(std::uint32_t around, std::uint32_t across,
+                                                     At at) {
+  const Mesh mesh = corpus::torus(around, across);
+  auto twins = find_twins({mesh.corners, mesh.face_sizes}, mesh.vertex_count);
+  EXPECT_TRUE(twins.ok());
+  const auto coded = encode_connectivity({mesh.corners, *twins, mesh.vertex_count}, 5);
+  EXPECT_TRUE(coded.ok());
+  std::vector<Int> rows;
+  for (const std::uint32_t v : coded->vertices)
+    for (const std::uint64_t x : at(v / across, v % across)) rows.push_back(static_cast<Int>(x));
+  return {decoded(coded->bytes), rows};
+}
+
+/// A number of so many bits, always the same for a key.
+inline std::uint64_t rough(std::uint64_t key, unsigned bits) {
+  corpus::Random random(key);
+  return random.next() >> (64 - bits);
+}
+
+/// A torus that is a rough profile moved along z: a place is three numbers that were there before.
+template <class Int>
+std::pair<CodedArrays, std::vector<Int>> moved_profile(unsigned bits) {
+  return coded_torus<Int>(40, 30, [bits](std::uint32_t i, std::uint32_t j) {
+    return std::array{rough(j, bits), rough(100 + j, bits), rough(200 + i, bits)};
+  });
+}
+
 /// The surface with some of its vertices made one, as copies are.
 inline CodedArrays stitched(CodedArrays s, corpus::Random& random) {
   const auto vertices = static_cast<std::uint32_t>(s.introduced_by.size());
@@ -49,8 +79,8 @@ inline CodedArrays stitched(CodedArrays s, corpus::Random& random) {
   return s;
 }
 
-/// All kinds: closed, with holes, handles, components; then vertices made one.
-inline std::vector<CodedArrays> coded_surfaces() {
+/// All kinds: closed, with holes, handles, components, and some at random; then vertices made one.
+inline std::vector<CodedArrays> coded_surfaces(std::uint64_t at_random = 300) {
   std::vector<CodedArrays> all;
   for (const Mesh& mesh :
        {corpus::single_triangle(), corpus::glued_pair(), corpus::tetrahedron(),
@@ -58,7 +88,7 @@ inline std::vector<CodedArrays> coded_surfaces() {
         corpus::punch_holes(corpus::torus(20, 15), 12, 1),
         corpus::copies(corpus::punch_holes(corpus::icosphere(2), 3, 1), 3)})
     all.push_back(coded(mesh));
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  for (std::uint64_t seed = 0; seed < at_random; ++seed) {
     corpus::Random random(seed);
     const LegalStream stream =
         legal_stream(1 + random.below(60), [&](std::uint32_t n) { return random.below(n); });

@@ -171,16 +171,16 @@ std::vector<NamedMesh> surfaces() {
   return {{"triangle", corpus::single_triangle()},
           {"pair", corpus::glued_pair()},
           {"sphere", corpus::icosphere(3)},
-          {"irregular sphere", corpus::flip_edges(corpus::icosphere(4), 4000, 1)},
-          {"holes", corpus::punch_holes(corpus::torus(40, 30), 20, 2)},
+          {"irregular sphere", corpus::flip_edges(corpus::icosphere(3), 1000, 1)},
+          {"holes", corpus::punch_holes(corpus::torus(25, 20), 12, 2)},
           {"annulus", corpus::shuffle(corpus::cylinder(20, 9), 3)},
-          {"gyroid", corpus::gyroid(2, 1, 1, 10, corpus::Ends::open)},
-          {"periodic gyroid", corpus::gyroid(1, 1, 2, 9, corpus::Ends::periodic)},
+          {"gyroid", corpus::gyroid(2, 1, 1, 6, corpus::Ends::open)},
+          {"periodic gyroid", corpus::gyroid(1, 1, 2, 6, corpus::Ends::periodic)},
           {"lattice", corpus::lattice(4)},
           {"strip", corpus::strip(500)},
           {"fan", corpus::fan(200)},
           {"parts", corpus::disjoint_union(parts)},
-          {"copies", corpus::copies(corpus::flip_edges(corpus::icosphere(2), 100, 3), 20)},
+          {"copies", corpus::copies(corpus::flip_edges(corpus::icosphere(2), 100, 3), 5)},
           {"apart", corpus::loose_triangles(30)},
           {"reversed", corpus::reversed(corpus::punch_holes(corpus::icosphere(2), 3, 4))},
           {"quads", quads(corpus::torus(24, 17))},
@@ -196,7 +196,7 @@ std::vector<NamedMesh> surfaces() {
 std::vector<NamedMesh> defects() {
   const Mesh ball = corpus::flip_edges(corpus::icosphere(2), 200, 8);
   // Defects at fewer than one side in 64 are cut in another way.
-  const Mesh large = corpus::flip_edges(corpus::icosphere(4), 3000, 20);
+  const Mesh large = corpus::flip_edges(corpus::icosphere(3), 900, 20);
   return {{"fins", corpus::add_fins(ball, 40, 9)},
           {"book", corpus::book(12)},
           {"chessboard", corpus::chessboard(9)},
@@ -220,10 +220,10 @@ std::vector<NamedMesh> defects() {
           {"soup of polygons", corpus::random_soup(300, 300, 9, 15)},
           {"wild soup", wild_soup(40, 150, 16)},
           {"isolated", corpus::isolate(ball, 31)},
-          {"few fins", corpus::add_fins(large, 5, 21)},
-          {"few fins and pinches", merge_vertices(corpus::add_fins(large, 5, 22), 6, 23)},
+          {"few fins", corpus::add_fins(large, 4, 21)},
+          {"few fins and pinches", merge_vertices(corpus::add_fins(large, 4, 22), 6, 23)},
           {"few reversed", corpus::reverse_some(large, 4, 24)},
-          {"few repeated", every(999, Do::repeat, dual(large))}};
+          {"few repeated", every(299, Do::repeat, dual(large))}};
 }
 
 }  // namespace clers::test

@@ -454,7 +454,7 @@ TEST(Memory, HonestFiles) {
       options.piece_faces = 1000;
       expect_fair(one, options);
       options = {};
-      options.level = 9;
+      if (k % 5 == 0) options.level = 9;  // whose tables do not depend on kinds, and which is slow
       options.piece_faces = 2000;
       expect_fair({one[0], one[0]}, options);
     }

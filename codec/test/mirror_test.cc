@@ -87,8 +87,8 @@ Shape<std::int32_t> turned(std::int32_t sum, std::int32_t sum2) {
       x = -y;
       y = before;
     }
-    return std::array<std::int32_t, 3>{(sum2 + y) / 2, std::int32_t(40 * std::min(j, across - j)),
-                                       (sum + x) / 2};
+    return std::array<std::int32_t, 3>{
+        (sum2 + y) / 2, std::int32_t(40 * std::min(j, across - j) + k), (sum + x) / 2};
   });
 }
 
@@ -168,6 +168,54 @@ void expect_images(const Shape<Int>& shape, const Symmetry& symmetry, const Met&
   EXPECT_GT(exactly, paired * 95 / 100);
 }
 
+/// Whether the surface has the triangle p q w.
+bool has_triangle(const CodedSurface& s, std::uint32_t p, std::uint32_t q, std::uint32_t w) {
+  for (std::uint32_t h = 0; h < s.corners.size(); ++h) {
+    const HalfEdge g(h);
+    if (s.corners[h] == p && s.corners[lnext(g).index()] == q && s.corners[lprev(g).index()] == w)
+      return true;
+  }
+  return false;
+}
+
+/// Meets the vertices in coded order, guessed by connectivity.
+Met meet_by_triangles(const Shape<std::int32_t>& shape, const Symmetry& symmetry, bool strictly) {
+  const CodedSurface s = shape.arrays.view();
+  Mirror<std::int32_t> mirror(symmetry, shape.rows.data(), shape.count(), s);
+  Met met;
+  for_each_introduced(s, [&](std::uint32_t t, unsigned i) {
+    const std::uint32_t* c = &s.corners[3 * std::size_t(t)];
+    std::uint32_t w = mirror.nobody;
+    const HalfEdge over = s.twins[3 * std::size_t(t)];
+    if (i == 2 && over) w = mirror.guess(c[0], c[1], s.corners[lprev(over).index()], strictly);
+    if (w != mirror.nobody) {
+      ++met.guessed;
+      std::uint32_t q = mirror.partner(c[0]), p = mirror.partner(c[1]);
+      if (symmetry.kind != Symmetry::mirror) std::swap(p, q);  // turns do not reverse
+      EXPECT_TRUE(has_triangle(s, p, q, w));
+      bool same = true;
+      for (std::size_t k = 0; k < 3; ++k)
+        same = same && std::abs(mirror.image(w, k) - shape.rows[3 * c[2] + k]) <= 1;
+      met.right += same;
+    }
+    mirror.known(c[i], w);
+  });
+  return met;
+}
+
+TEST(Mirror, GuessesByTheTrianglesOfPartners) {
+  // Turned triangles are triangles; mirrored ones are not where all squares are cut alike.
+  auto turn = turned(2000, 2000);
+  const auto found = find_mirror(turn.lattice());
+  ASSERT_TRUE(found && found->kind == Symmetry::quarter_turn);
+  const Met by_turn = meet_by_triangles(turn, *found, false);
+  EXPECT_GT(by_turn.guessed, turn.count() * 4 / 10);
+  EXPECT_GT(by_turn.right, by_turn.guessed * 9 / 10);
+  EXPECT_LT(meet_by_triangles(turn, *found, true).guessed, by_turn.guessed);
+  const auto mirror = mirrored<std::int32_t>(2000, 4095);
+  EXPECT_GT(meet_by_triangles(mirror, {1, 2000}, false).guessed, mirror.count() / 10);
+}
+
 TEST(Mirror, FindsThePlaneAndGuessesTheOtherHalf) {
   for (const std::int32_t sum : {2000, 2001}) {
     auto shape = mirrored<std::int32_t>(sum, 4095);
@@ -204,6 +252,18 @@ TEST(Mirror, FindsQuarterTurnsAndGuessesThreeQuarters) {
     EXPECT_GT(met.right, met.guessed * 8 / 10);
     expect_images(shape, *found, met);
   }
+}
+
+/// About another place than the middle of all, which is moved by one that has no images.
+TEST(Mirror, FindsQuarterTurnsAboutAnyPlace) {
+  auto shape = turned(2000, 2200);
+  shape.rows[2] = 4000;
+  const auto found = find_mirror(shape.lattice());
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->kind, Symmetry::quarter_turn);
+  EXPECT_EQ(found->axis, 2u);
+  EXPECT_EQ(found->sum, 2000u);
+  EXPECT_EQ(found->sum2, 2200u);
 }
 
 TEST(Mirror, FindsTwoMirrors) {

@@ -97,10 +97,11 @@ void expect_to_come_back(const Ground& ground, const std::vector<Axis>& axes, un
   if (axes.size() * ground.values > 6000) return;
   auto rows = rows_on<Int>(ground, axes, kind, axes.size() + kind);
   const auto given = rows;
-  const Bytes bytes = encode_named_values<Int>({rows, axes}, ground.arrays.view(), ground.domain);
+  const Bytes bytes =
+      encode_named_values<Int>({rows, axes}, ValueSurface{ground.arrays.view()}, ground.domain);
   EXPECT_EQ(rows, given);
   std::vector<Int> back(rows.size(), std::numeric_limits<Int>::min());
-  const auto decoded = decode_named_values<Int>(bytes, 0, axes, ground.arrays.view(),
+  const auto decoded = decode_named_values<Int>(bytes, 0, axes, ValueSurface{ground.arrays.view()},
                                                 std::span<Int>(back), ground.domain);
   ASSERT_TRUE(decoded.ok()) << describe(decoded.error());
   EXPECT_EQ(back, given);
@@ -147,7 +148,7 @@ TEST(NamedValues, ComeBackByEveryModel) {
           NamedValueCoder<std::int64_t, std::remove_reference_t<decltype(coder)>> coded(
               coder, model, tops, values);
           return for_each_nearby(
-              ground.domain, ground.arrays.view(), ground.values, ground.values,
+              ground.domain, ValueSurface{ground.arrays.view()}, ground.values, ground.values,
               [&](std::uint32_t v, const Nearby& nearby) { return coded.code(v, nearby); });
         };
         const Bytes bytes = encode_stream([&](EncodeTo& coder) { visit(coder, rows); });
@@ -174,14 +175,16 @@ TEST(NamedValues, WhatIsAroundAndBeforeSaves) {
     return count ? (sum + count / 2) / count : 128;
   };
   for_each_with_nearby(
-      ground.arrays.view(), ground.values, ground.values, [&](std::uint32_t v, const Nearby& n) {
+      ValueSurface{ground.arrays.view()}, ground.values, ground.values,
+      [&](std::uint32_t v, const Nearby& n) {
         const auto light = std::int32_t(random.below(17)) - 8;
         for (std::size_t c = 0; c < 3; ++c)
           rows[3 * v + c] =
               std::clamp(nearby_mean(n, c) + light + std::int32_t(random.below(3)) - 1, 0, 255);
         return true;
       });
-  const Bytes bytes = encode_named_values<std::int32_t>({rows, axes}, ground.arrays.view());
+  const Bytes bytes =
+      encode_named_values<std::int32_t>({rows, axes}, ValueSurface{ground.arrays.view()});
   // log2(17) and twice log2(3) at most are 7.3 bits.
   EXPECT_LT(8 * bytes.size(), ground.values * 9);
   const NamedModel model = named_model(std::to_integer<std::uint32_t>(bytes[0]));
@@ -189,7 +192,9 @@ TEST(NamedValues, WhatIsAroundAndBeforeSaves) {
   EXPECT_EQ(model.relation, Relation::green);
   // The same row everywhere costs next to nothing.
   for (std::size_t i = 3; i < rows.size(); ++i) rows[i] = rows[i - 3];
-  EXPECT_LT(encode_named_values<std::int32_t>({rows, axes}, ground.arrays.view()).size(), 40u);
+  EXPECT_LT(
+      encode_named_values<std::int32_t>({rows, axes}, ValueSurface{ground.arrays.view()}).size(),
+      40u);
 }
 
 TEST(NamedValues, ComponentsThatAreTheSameAroundSave) {
@@ -198,7 +203,7 @@ TEST(NamedValues, ComponentsThatAreTheSameAroundSave) {
   const std::vector<Axis> axes(2, Axis{(1u << 24) - 1});
   std::vector<std::int32_t> rows(2 * ground.values, -1);
   corpus::Random random(2);
-  for_each_with_nearby(ground.arrays.view(), ground.values, ground.values,
+  for_each_with_nearby(ValueSurface{ground.arrays.view()}, ground.values, ground.values,
                        [&](std::uint32_t v, const Nearby& n) {
                          const bool same = n.count > 0 && random.chance(80);
                          rows[2 * v] = same ? rows[2 * n.around[random.below(2) % n.count]]
@@ -206,7 +211,8 @@ TEST(NamedValues, ComponentsThatAreTheSameAroundSave) {
                          rows[2 * v + 1] = std::int32_t(random.below(1u << 24));
                          return true;
                        });
-  const Bytes bytes = encode_named_values<std::int32_t>({rows, axes}, ground.arrays.view());
+  const Bytes bytes =
+      encode_named_values<std::int32_t>({rows, axes}, ValueSurface{ground.arrays.view()});
   EXPECT_EQ(named_model(std::to_integer<std::uint32_t>(bytes[0])).repeats, Repeats::components);
   EXPECT_LT(8 * bytes.size(), ground.values * (24 + 6 + 2 + 3));
 }
@@ -221,17 +227,17 @@ TEST(NamedValues, CornersOfOneVertexShareItsValue) {
     corpus::Random random(2 * ground.arrays.corners[h] + (2 * h < ground.values));
     for (int c = 0; c < 2; ++c) rows.push_back(std::int32_t(random.below(4096)));
   }
-  const Bytes bytes =
-      encode_named_values<std::int32_t>({rows, axes}, ground.arrays.view(), ground.domain);
+  const Bytes bytes = encode_named_values<std::int32_t>(
+      {rows, axes}, ValueSurface{ground.arrays.view()}, ground.domain);
   EXPECT_EQ(named_model(std::to_integer<std::uint32_t>(bytes[0])).repeats, Repeats::values);
   // 642 vertices, and a tenth of them twice.
   EXPECT_LT(8 * bytes.size(), 642 * 11 / 10 * 24 + ground.values * 2);
   Ground by_number = ground;
   by_number.domain = Domain::face;
-  EXPECT_GT(
-      encode_named_values<std::int32_t>({rows, axes}, by_number.arrays.view(), by_number.domain)
-          .size(),
-      2 * bytes.size());
+  EXPECT_GT(encode_named_values<std::int32_t>({rows, axes}, ValueSurface{by_number.arrays.view()},
+                                              by_number.domain)
+                .size(),
+            2 * bytes.size());
 }
 
 TEST(NamedValues, NoBytesHarm) {
@@ -241,8 +247,8 @@ TEST(NamedValues, NoBytesHarm) {
     for (const auto& axes : all_axes(most_wide)) {
       if (axes.size() > 10) continue;
       auto rows = rows_on<std::int64_t>(ground, axes, random.below(kinds), random.next());
-      const Bytes bytes =
-          encode_named_values<std::int64_t>({rows, axes}, ground.arrays.view(), ground.domain);
+      const Bytes bytes = encode_named_values<std::int64_t>(
+          {rows, axes}, ValueSurface{ground.arrays.view()}, ground.domain);
       std::size_t refused = 0;
       for (int round = 0; round < 20; ++round) {
         Bytes hostile = bytes;
@@ -252,8 +258,9 @@ TEST(NamedValues, NoBytesHarm) {
           for (int i = 0; i <= round; ++i)
             hostile[random.below(std::uint32_t(bytes.size()))] = std::byte(random.below(256));
         std::vector<std::int64_t> back(rows.size(), -1);
-        const auto decoded = decode_named_values<std::int64_t>(
-            hostile, 3, axes, ground.arrays.view(), std::span<std::int64_t>(back), ground.domain);
+        const auto decoded =
+            decode_named_values<std::int64_t>(hostile, 3, axes, ValueSurface{ground.arrays.view()},
+                                              std::span<std::int64_t>(back), ground.domain);
         refused += !decoded.ok();
         if (decoded.ok())
           for (std::size_t i = 0; i < back.size(); ++i) {
@@ -269,7 +276,8 @@ TEST(NamedValues, NoBytesHarm) {
       Bytes longer = bytes;
       longer.push_back(std::byte(0));
       std::vector<std::int64_t> back(rows.size());
-      EXPECT_FALSE(decode_named_values<std::int64_t>(longer, 0, axes, ground.arrays.view(),
+      EXPECT_FALSE(decode_named_values<std::int64_t>(longer, 0, axes,
+                                                     ValueSurface{ground.arrays.view()},
                                                      std::span<std::int64_t>(back), ground.domain)
                        .ok());
     }

@@ -380,6 +380,20 @@ TEST(Numbers, FewFloatsAreAPalette) {
   EXPECT_LT(coded.bytes.size(), 40u * 8);
 }
 
+/// Half of the numbers are steps, the others few decimals that come again: as strays they would
+/// take four bytes each time.
+TEST(Numbers, FewThatAreNoStepsAreAPaletteToo) {
+  Random random(9);
+  std::vector<float> some, numbers;
+  for (int i = 0; i < 100; ++i)
+    some.push_back(static_cast<float>(random.below(1000000)) / 1000000.f);
+  for (int i = 0; i < 4000; ++i)
+    numbers.push_back(i % 3 == 0 ? some[random.below(100)] : float(random.below(64)) / 64.f);
+  const NumberedValues coded = round_trip(numbers);
+  EXPECT_GT(coded.numbers.axes[0].palette.size(), 140u);
+  EXPECT_LT(coded.bytes.size(), 164u * 4);
+}
+
 TEST(Numbers, ScalesAreLengthsOfSteps) {
   Random random(9);
   std::vector<float> numbers;

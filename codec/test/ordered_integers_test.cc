@@ -208,7 +208,7 @@ TEST(OrderedIntegers, SmoothValuesAreCheap) {
   // A plane over the grid, along a walk over its triangles: corners of a triangle differ by steps.
   std::vector<std::array<std::int32_t, 2>> place(rows.size());
   test::SurfaceCopy consumed = test::surface_of(mesh);
-  const auto connectivity = encode_connectivity(consumed.arrays(), 3, true);
+  const auto connectivity = encode_connectivity(consumed.arrays(), 3, Kept::corners_and_twins);
   ASSERT_TRUE(connectivity.ok());
   for (std::size_t v = 0; v < rows.size(); ++v) {
     const std::uint32_t w = connectivity->vertices[v];

@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -12,6 +13,9 @@
 #include <vector>
 
 #include "codec/base/difference.h"
+#include "codec/numbers/floating_maps.h"
+#include "codec/numbers/number_encoder.h"
+#include "codec/numbers/number_format.h"
 
 namespace clers::internal {
 namespace {
@@ -21,9 +25,33 @@ AttributeView view_of(const std::vector<T>& values, std::uint8_t components) {
   return attribute_view("position", values, components);
 }
 
+/// The values that are decoded of integers.
+template <class T>
+std::vector<T> values_of_integers(const QuantisedValues& quantised) {
+  if constexpr (std::is_floating_point_v<T>) {
+    const AttributePlan& plan = quantised.plan;
+    EXPECT_EQ(plan.integers_of, scalar_of<T>());
+    std::vector<std::int32_t> ks(quantised.values.size() / sizeof(std::int32_t));
+    std::memcpy(ks.data(), quantised.values.data(), quantised.values.size());
+    std::vector<T> values;
+    for (std::size_t i = 0; i < ks.size(); ++i) {
+      const NumberSystem& s = plan.systems[i % plan.systems.size()];
+      EXPECT_FALSE(has_refinements(s));
+      const std::int64_t n = s.first + ks[i] * static_cast<std::int64_t>(s.step);
+      with_map<T>(s, scalar_of<T>(),
+                  [&](const auto& map) { values.push_back(std::bit_cast<T>(map.word(n, 0))); });
+    }
+    return values;
+  } else {
+    ADD_FAILURE() << "integers of integers";
+    return {};
+  }
+}
+
 /// The values that come out; those that went in where nothing is changed.
 template <class T>
 std::vector<T> values_of(const QuantisedValues& quantised, const std::vector<T>& given) {
+  if (quantised.plan.integers_of) return values_of_integers<T>(quantised);
   std::vector<T> values = given;
   if (!quantised.values.empty()) {
     EXPECT_EQ(quantised.values.size(), given.size() * sizeof(T));
@@ -198,6 +226,47 @@ TEST(Quantise, WhatIsOnTheGridStaysBitForBit) {
   ASSERT_TRUE(out.ok());
   EXPECT_EQ(out->plan.error, 0);
   EXPECT_TRUE(out->values.empty());
+}
+
+TEST(Quantise, IntegersAreThoseOfTheValues) {
+  std::mt19937 random(13);
+  std::vector<float> values;
+  for (int i = 0; i < 3000; ++i)
+    values.push_back(static_cast<float>(random() % 100000) / 7 - (i % 3 == 1 ? 9000.f : 0.f));
+  // A component on a coarser grid, and one of few numbers.
+  for (std::size_t i = 0; i < values.size(); i += 3) {
+    values[i] = std::floor(values[i] / 64) * 32;
+    values[i + 2] = std::floor(values[i + 2] / 1000) * 1000 / 3;
+  }
+  for (const Precision& precision :
+       {Precision::of_bits(5), Precision::of_bits(11), Precision::of_bits(16),
+        Precision::of_step(.3), Precision::of_error(4), Precision::on_grid({1.5}, 2)}) {
+    const auto out = quantise(view_of(values, 3), precision);
+    ASSERT_TRUE(out.ok());
+    ASSERT_TRUE(out->plan.integers_of.has_value());
+    const std::vector<float> moved = values_of(*out, values);
+    const NumberedValues of_integers =
+        put_integers(out->values, Scalar::float32, out->plan.systems);
+    const NumberedValues of_values =
+        put_into_systems(std::as_bytes(std::span(moved)), Scalar::float32, out->plan.systems, 5);
+    EXPECT_EQ(of_integers.bytes, of_values.bytes);
+    EXPECT_EQ(of_integers.narrow, of_values.narrow);
+    EXPECT_EQ(of_integers.numbers.systems, of_values.numbers.systems);
+  }
+}
+
+TEST(Quantise, ValuesStayWhereIntegersDoNotSayAll) {
+  const std::vector<std::vector<float>> all = {
+      {-0.f, .1f, 2, 0},         // the sign of zero
+      {1e8f, 1e8f + 8, .1f, 0}  // steps that the type rounds to each other
+  };
+  for (const std::vector<float>& values : all) {
+    const auto out = quantise(view_of(values, 1), Precision::of_step(.25));
+    ASSERT_TRUE(out.ok());
+    EXPECT_FALSE(out->plan.integers_of.has_value());
+    std::vector<float> moved = values_of(*out, values);
+    EXPECT_EQ(std::signbit(moved[0]), std::signbit(values[0]));
+  }
 }
 
 TEST(Quantise, ACoarserGridIsKept) {

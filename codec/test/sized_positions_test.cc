@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -187,6 +188,87 @@ TEST(SizedPositions, UseCopiesAndImages) {
     EXPECT_LT(8 * encode_sized_positions(s.view(), p.lattice(), order).size(),
               9 * s.introduced_by.size());
     for (unsigned i = 0; i < 5; ++i) check(s.view(), p, order, random);
+  }
+}
+
+unsigned repetition(const Bytes& bytes) {
+  return std::to_integer<unsigned>(bytes[0]) >> 2;
+}
+
+template <class Int>
+void expect_profiles_to_repeat(unsigned bits) {
+  corpus::Random random(6);
+  const auto [s, rows] = test::moved_profile<Int>(bits);
+  const Positions<Int> p{rows, std::vector<Axis>(3, Axis{(std::uint64_t(1) << bits) - 1})};
+  for (const VisitOrder order : orders) {
+    auto lattice = p;
+    const Bytes bytes = encode_sized_positions(s.view(), lattice.lattice(), order);
+    EXPECT_NE(repetition(bytes), 0u);
+    // Forty and sixty different numbers, and little to say which.
+    EXPECT_LT(8 * bytes.size(), s.introduced_by.size() * 2 + 120 * std::size_t(bits + 6));
+    for (unsigned i = 0; i < 20; ++i) check(s.view(), p, order, random);
+  }
+}
+TEST(SizedPositions, ProfilesRepeatThemselves) {
+  expect_profiles_to_repeat<std::int32_t>(12);
+  expect_profiles_to_repeat<std::int32_t>(28);
+  expect_profiles_to_repeat<std::int64_t>(55);
+}
+
+/// Two sides of a rough plate, far from each other along the surface: x and z of the second are
+/// those of the first, y is not. Takes less than where they are others.
+TEST(SizedPositions, LinesAreFound) {
+  corpus::Random random(7);
+  const auto plate = [](bool same) {
+    return test::coded_torus<std::int32_t>(40, 30, [same](std::uint32_t i, std::uint32_t j) {
+      const std::uint32_t k = std::min(i, 39 - i), place = 30 * (same ? k : i) + j;
+      return std::array{190 * k + test::rough(place, 6), test::rough(10000 + 30 * i + j, 12),
+                        130 * j + test::rough(20000 + place, 6)};
+    });
+  };
+  const std::vector<Axis> axes(3, Axis{8191});
+  const auto [s, rows] = plate(true);
+  Positions<std::int32_t> p{rows, axes}, other{plate(false).second, axes};
+  for (const VisitOrder order : orders) {
+    const Bytes bytes = encode_sized_positions(s.view(), p.lattice(), order);
+    EXPECT_EQ(repetition(bytes), 2u);
+    EXPECT_LT(bytes.size() * 100,
+              encode_sized_positions(s.view(), other.lattice(), order).size() * 90);
+    for (unsigned i = 0; i < 20; ++i) check(s.view(), p, order, random);
+  }
+}
+
+/// Places that come again with any period, at the ends of what numbers can be.
+TEST(SizedPositions, PeriodsComeBack) {
+  corpus::Random random(8);
+  const CodedArrays s = test::coded(corpus::torus(20, 15));
+  const auto repeated = [](auto p, std::size_t period) {
+    for (std::size_t i = 3 * period; i < p.rows.size(); ++i) p.rows[i] = p.rows[i - 3 * period];
+    return p;
+  };
+  for (const std::size_t period : {1u, 2u, 3u, 20u, 151u})
+    for (const VisitOrder order : orders)
+      for (const std::uint64_t top : {std::uint64_t(1), std::uint64_t(1) << 13, most_narrow}) {
+        check(s.view(),
+              repeated(any_positions<std::int32_t>(random, 300, any_axes(random, top)), period),
+              order, random);
+        check(s.view(),
+              repeated(any_positions<std::int64_t>(random, 300, std::vector<Axis>(3, {most_wide})),
+                       period),
+              order, random);
+      }
+}
+
+TEST(SizedPositions, NothingIsAskedWhereNothingRepeats) {
+  for (const VisitOrder order : orders) {
+    const auto [s, rows] =
+        test::coded_torus<std::int32_t>(40, 30, [](std::uint32_t i, std::uint32_t j) {
+          return std::array<std::uint64_t, 3>{50 * i + test::rough(i * 30 + j, 3),
+                                              90 * j + test::rough(40 * j + i, 4),
+                                              2 * i * j + test::rough(7 * i + j, 2)};
+        });
+    Positions<std::int32_t> p{rows, std::vector<Axis>(3, Axis{4095})};
+    EXPECT_EQ(repetition(encode_sized_positions(s.view(), p.lattice(), order)), 0u);
   }
 }
 

@@ -1,10 +1,11 @@
-// The order of visit, by its definition: what has the most parallelograms comes next.
+// The order of visit, by its definition: what is across from two known triangles comes next.
 #include "codec/attributes/visit_order.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "codec/test/coded_surfaces.h"
@@ -12,72 +13,105 @@
 namespace clers::internal {
 namespace {
 
-/// How many sides of triangles with known vertices only each vertex is across from, 2 being many.
-/// Known ones have none.
-std::vector<unsigned> waiting(const CodedSurface& s, const std::vector<bool>& known) {
-  std::vector<unsigned> count(known.size());
-  for (std::uint32_t i = 0; i < s.corners.size(); ++i) {
-    const HalfEdge h(i), across = s.twins[i];
-    if (!across) continue;
-    const std::uint32_t x = s.corners[lprev(across).index()];
-    bool all = !known[x];
-    for (const HalfEdge g : {h, lnext(h), lprev(h)}) all = all && known[s.corners[g.index()]];
-    if (all) count[x] = std::min(count[x] + 1, 2u);
-  }
-  return count;
-}
-
-/// With copies a triangle may have been known before the vertex that is walked around, so that
-/// what is across from it is not seen.
-void check_order(const CodedSurface& s, bool copies) {
-  std::vector<std::uint32_t> introduced;
-  for_each_introduced(s, [&](std::uint32_t t, unsigned i) {
-    introduced.push_back(s.corners[3 * std::size_t(t) + i]);
-  });
-  std::vector<bool> known(s.introduced_by.size());
-  std::vector<std::uint32_t> order;
-  // How many were visited when a vertex had its first parallelogram, its second.
-  std::vector<std::size_t> since[3];
-  for (auto& times : since) times.assign(known.size(), introduced.size());
-  for_each_by_parallelograms(s, [&](HalfEdge h, const Visited& visited) {
-    const std::uint32_t v = s.corners[h.index()];
-    ASSERT_FALSE(known[v]);
-    for (std::uint32_t u = 0; u < known.size(); ++u) ASSERT_EQ(visited(u), known[u]);
-    if (!copies) {
-      const auto count = waiting(s, known);
-      const unsigned most = *std::max_element(count.begin(), count.end());
-      ASSERT_EQ(count[v], most);
-      for (std::uint32_t u = 0; u < known.size(); ++u)
-        for (unsigned n = 1; n <= count[u]; ++n) since[n][u] = std::min(since[n][u], order.size());
-      for (std::uint32_t u = 0; most > 0 && u < known.size(); ++u)
-        ASSERT_TRUE(count[u] < most || since[most][v] <= since[most][u])
-            << "not first in first out";
-      unsigned found = 0;
-      bool at_h = false;
-      for_each_parallelogram(s, h, visited, [&](std::uint32_t a, std::uint32_t, std::uint32_t) {
-        at_h |= found == 0 && a == s.corners[lnext(h).index()];
-        ++found;
-      });
-      ASSERT_EQ(std::min(found, 2u), count[v]);
-      ASSERT_EQ(at_h, most > 0);
-      if (most == 0) {
-        const auto next = std::find_if(introduced.begin(), introduced.end(),
-                                       [&](std::uint32_t u) { return !known[u]; });
-        ASSERT_EQ(v, *next);
+/// codec/format-values.md, Order of visit, word by word.
+class Definition {
+ public:
+  explicit Definition(const CodedSurface& s)
+      : s_(s), known_(s.introduced_by.size()), waited_(s.introduced_by.size()) {
+    for_each_introduced(s, [&](std::uint32_t t, unsigned i) {
+      if (known_[s_.corners[3 * std::size_t(t) + i]]) return;
+      visit(half_edge(Face(t), i));
+      while (!two_.empty() || !one_.empty()) {
+        std::deque<HalfEdge>& queue = two_.empty() ? one_ : two_;
+        const HalfEdge h = queue.front();
+        queue.pop_front();
+        if (known_[vertex(h)]) continue;
+        EXPECT_TRUE(has_parallelogram(h));
+        visit(h);
       }
+    });
+  }
+
+  std::vector<HalfEdge> order;
+
+ private:
+  std::uint32_t vertex(HalfEdge h) const { return s_.corners[h.index()]; }
+  bool knows(HalfEdge h) const { return known_[vertex(h)]; }
+  HalfEdge across(HalfEdge h) const { return s_.twins[h.index()]; }
+
+  /// Whether all of a, b, c are known where v is predicted at a + b - c.
+  bool has_parallelogram(HalfEdge h) const {
+    const HalfEdge over = across(lnext(h));
+    return over && knows(lnext(h)) && knows(lprev(h)) && knows(lprev(over));
+  }
+
+  void wait(HalfEdge x) {
+    if (knows(x)) return;
+    const int n = ++waited_[vertex(x)];
+    if (n == 1) one_.push_back(x);
+    if (n == 2) two_.push_back(x);
+  }
+  void look_across(HalfEdge side) {
+    if (across(side)) wait(lprev(across(side)));
+  }
+
+  void visit(HalfEdge first) {
+    order.push_back(first);
+    known_[vertex(first)] = true;
+    if (!knows(lnext(first)) || !knows(lprev(first))) return;
+    look_across(lnext(first));
+    HalfEdge side = lprev(first);
+    while (across(side)) {
+      const HalfEdge h = across(side);
+      if (h == first) return;
+      side = lprev(h);
+      if (!knows(side)) {
+        wait(side);
+        break;
+      }
+      look_across(lnext(h));
     }
-    known[v] = true;
-    order.push_back(v);
-  });
-  std::sort(order.begin(), order.end());
-  std::sort(introduced.begin(), introduced.end());
-  ASSERT_EQ(order, introduced);
+    for (side = first; across(side);) {
+      side = lnext(across(side));
+      if (!knows(lnext(side))) return wait(lnext(side));
+      look_across(lnext(side));
+    }
+  }
+
+  const CodedSurface s_;
+  std::vector<bool> known_;
+  std::vector<int> waited_;
+  std::deque<HalfEdge> one_, two_;
+};
+
+TEST(VisitOrder, IsThatOfTheFormat) {
+  for (const CodedArrays& arrays : test::coded_surfaces()) {
+    const CodedSurface s = arrays.view();
+    const Definition definition(s);
+    std::vector<HalfEdge> order;
+    std::vector<bool> known(s.introduced_by.size());
+    for_each_by_parallelograms(s, [&](HalfEdge h, const Visited& visited) {
+      for (std::uint32_t u = 0; u < known.size(); ++u) ASSERT_EQ(visited(u), known[u]);
+      known[s.corners[h.index()]] = true;
+      order.push_back(h);
+    });
+    ASSERT_EQ(order, definition.order);
+  }
 }
 
-TEST(VisitOrder, TakesWhatHasTheMostParallelograms) {
-  const std::vector<CodedArrays> all = test::coded_surfaces();
-  // The second half are the first with vertices made one.
-  for (std::size_t i = 0; i < all.size(); ++i) check_order(all[i].view(), i >= all.size() / 2);
+TEST(VisitOrder, HasEachVertexOnce) {
+  for (const CodedArrays& arrays : test::coded_surfaces()) {
+    const CodedSurface s = arrays.view();
+    std::vector<std::uint32_t> introduced, visited;
+    for_each_introduced(s, [&](std::uint32_t t, unsigned i) {
+      introduced.push_back(s.corners[3 * std::size_t(t) + i]);
+    });
+    for_each_by_parallelograms(
+        s, [&](HalfEdge h, const Visited&) { visited.push_back(s.corners[h.index()]); });
+    std::sort(introduced.begin(), introduced.end());
+    std::sort(visited.begin(), visited.end());
+    ASSERT_EQ(visited, introduced);
+  }
 }
 
 }  // namespace
