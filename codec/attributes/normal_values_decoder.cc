@@ -39,13 +39,13 @@ Expected<Done> decode_normals(std::span<const std::byte> bytes, std::uint64_t at
   if (values > stream.max_decisions()) return invalid("more normals than their bytes can say");
   const FormulaNormals formula(along, values, model.formula);
   return decode_stream(stream, "the normals", [&](DecodeFrom& coder) {
-    const bool ok = code_normals(coder, model, numbers, formula, along.surface, rows, values);
+    const bool ok = code_normals(coder, model, numbers, formula, along, rows, values);
     return std::string(ok ? "" : "a normal beyond what there is");
   });
 }
 
 std::uint64_t normals_memory(std::uint64_t values, std::uint64_t vertices) {
-  return FormulaNormals::memory(values, vertices) + known_values_memory(values, 0) +
+  return FormulaNormals::memory(values, vertices) + known_values_memory(values, vertices) +
          NumberedNormals<std::int32_t, DecodeFrom>::memory(values);
 }
 
