@@ -61,7 +61,9 @@ Encoded expect_within(const Mesh& mesh, double degrees, const EncodeOptions& giv
   EXPECT_TRUE(found.ok());
   EXPECT_EQ(found->verdict, Verdict::same) << found->what;
   for (const FoundError& error : found->errors)
-    if (error.attribute == normal) EXPECT_EQ(error.error, info.error);
+    if (error.attribute == normal) {
+      EXPECT_EQ(error.error, info.error);
+    }
   return std::move(*encoded);
 }
 
