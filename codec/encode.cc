@@ -16,6 +16,7 @@
 #include "codec/file/metadata.h"
 #include "codec/file/piece_encoder.h"
 #include "codec/file/quantised_mesh.h"
+#include "codec/file/scene_encoder.h"
 #include "codec/pieces/partition.h"
 
 namespace CLERS_VISIBLE clers {
@@ -82,7 +83,9 @@ Expected<Done> check_options(const EncodeOptions& options) {
   return Done{};
 }
 
-Expected<Encoded> encode_meshes(std::span<const MeshView> given, const EncodeOptions& options) {
+/// `scene`: what there is besides the meshes; none if nothing.
+Expected<Encoded> encode_meshes(std::span<const MeshView> given, const EncodeOptions& options,
+                                const Scene* scene = nullptr, std::span<const Order> orders = {}) {
   if (auto ok = check_options(options); !ok) return Failure{ok.error()};
   std::vector<MeshView> meshes;
   std::vector<std::vector<std::uint32_t>> wide(given.size());
@@ -92,9 +95,24 @@ Expected<Encoded> encode_meshes(std::span<const MeshView> given, const EncodeOpt
     if (!mesh) return in_mesh(mesh.error(), i, given.size());
     meshes.push_back(*mesh);
   }
+  for (const Order order : orders)
+    if (order > Order::keep) return fail(ErrorCode::bad_option, "no such order");
+  if (!orders.empty() && orders.size() != meshes.size())
+    return fail(ErrorCode::bad_option, std::to_string(orders.size()) + " orders of " +
+                                           std::to_string(meshes.size()) + " meshes");
   for (std::size_t i = 0; i < meshes.size(); ++i)
     if (auto ok = check(meshes[i], options); !ok) return in_mesh(ok.error(), i, meshes.size());
-  if (auto ok = check_precisions(meshes, options); !ok) return Failure{ok.error()};
+  if (auto ok = check_precisions(meshes, options,
+                                 scene ? std::span(scene->arrays) : std::span<const Array>());
+      !ok)
+    return Failure{ok.error()};
+  if (scene)
+    if (auto ok = check_scene(*scene); !ok) return Failure{ok.error()};
+  std::vector<EncodeOptions> of_mesh(orders.empty() ? 0 : meshes.size(), options);
+  for (std::size_t i = 0; i < of_mesh.size(); ++i) of_mesh[i].order = orders[i];
+  const auto options_of = [&](std::size_t mesh) -> const EncodeOptions& {
+    return of_mesh.empty() ? options : of_mesh[mesh];
+  };
 
   struct Job {
     std::size_t mesh, piece;
@@ -126,11 +144,11 @@ Expected<Encoded> encode_meshes(std::span<const MeshView> given, const EncodeOpt
     Work& work = works[jobs[j].mesh];
     const std::size_t k = jobs[j].piece;
     const QuantisedMesh& quantised = work.quantised;
-    work.coded[k] =
-        work.cutter
-            ? encode_piece(work.cutter->cut(k, memory[worker]), work.cutter->faces(k), in_pieces,
-                           quantised.plans, progress)
-            : encode_mesh(quantised.mesh, options, quantised.plans, threads_inside, progress);
+    work.coded[k] = work.cutter
+                        ? encode_piece(work.cutter->cut(k, memory[worker]), work.cutter->faces(k),
+                                       in_pieces, quantised.plans, progress)
+                        : encode_mesh(quantised.mesh, options_of(jobs[j].mesh), quantised.plans,
+                                      threads_inside, progress);
     ++done;
   });
   for (const Job& job : jobs)
@@ -139,12 +157,14 @@ Expected<Encoded> encode_meshes(std::span<const MeshView> given, const EncodeOpt
 
   ContainerWriter out(options.level);
   Encoded result;
+  if (scene)
+    if (auto ok = put_before_meshes(*scene, out, result.scene); !ok) return Failure{ok.error()};
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     for (Warning& warning : works[i].quantised.warnings) {
       warning.mesh = i;
       result.warnings.push_back(std::move(warning));
     }
-    EncodedMesh coded = finish(std::move(works[i]), meshes[i], options);
+    EncodedMesh coded = finish(std::move(works[i]), meshes[i], options_of(i));
     for (const EncodedSection& section : coded.sections) out.section(section.kind, section.payload);
     if (!meshes[i].metadata.empty()) {
       auto metadata = encode_metadata(meshes[i].metadata);
@@ -156,6 +176,9 @@ Expected<Encoded> encode_meshes(std::span<const MeshView> given, const EncodeOpt
     result.report.push_back(std::move(coded.info));
     result.counts.push_back(coded.counts);
   }
+  if (scene)
+    if (auto ok = put_after_meshes(*scene, result.permutations, options, out, result.scene); !ok)
+      return Failure{ok.error()};
   result.bytes = out.finish(meshes.size());
   if (options.progress) options.progress("done", 1.0);
   return result;
@@ -175,6 +198,14 @@ Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& opti
   return guarded("encode", [&] {
     const std::vector<MeshView> views(meshes.begin(), meshes.end());
     return encode_meshes(views, options);
+  });
+}
+
+Expected<Encoded> encode(const Scene& scene, const EncodeOptions& options,
+                         std::span<const Order> orders) {
+  return guarded("encode", [&] {
+    const std::vector<MeshView> views(scene.meshes.begin(), scene.meshes.end());
+    return encode_meshes(views, options, &scene, orders);
   });
 }
 

@@ -13,6 +13,7 @@
 #include <clers/options.h>
 #include <clers/order.h>
 #include <clers/precision.h>
+#include <clers/scene.h>
 #include <clers/topology/export.h>
 
 namespace CLERS_VISIBLE clers {
@@ -24,6 +25,7 @@ struct Encoded {
   std::vector<MeshInfo> report;      ///< as Decoder::info of the bytes, but for metadata
   std::vector<CodingCounts> counts;  ///< as inspect of the bytes
   std::vector<Warning> warnings;     ///< of all meshes
+  SceneInfo scene;                   ///< as Decoder::info of the bytes, but for metadata
 };
 
 /// Encodes a mesh into a .clers file. A Mesh converts to a view: encode(mesh).
@@ -59,6 +61,14 @@ Expected<Encoded> encode(const MeshView& mesh, const EncodeOptions& options = {}
 /// Encodes several meshes into one file. Errors say which mesh.
 Expected<Encoded> encode(std::span<const MeshView> meshes, const EncodeOptions& options = {});
 Expected<Encoded> encode(std::span<const Mesh> meshes, const EncodeOptions& options = {});
+
+/// Encodes a scene into one file: its meshes as above, arrays without loss unless
+/// options.precisions name them, without a domain, and no `vertices_of`; blobs and the document
+/// packed where that helps. `orders`, if there are any, are one a mesh, instead of options.order.
+/// Errors besides: inconsistent_mesh for arrays, blobs and metadata that are not as
+/// <clers/scene.h> says; bad_option for another number of orders.
+Expected<Encoded> encode(const Scene& scene, const EncodeOptions& options = {},
+                         std::span<const Order> orders = {});
 
 }  // namespace clers
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -89,13 +90,45 @@ struct CodingCounts {
   std::array<std::uint64_t, 5> symbols = {};  ///< how many C, L, E, R, S
 };
 
+/// An array of a scene (<clers/scene.h>) in a file.
+struct ArrayInfo {
+  std::string name;
+  Scalar scalar = Scalar::float32;
+  std::uint8_t components = 1;
+  std::uint64_t count = 0;                        ///< values
+  std::uint64_t bytes = 0;                        ///< compressed
+  std::string numbers, coder;                     ///< as in AttributeInfo
+  std::optional<std::uint64_t> vertices_of = {};  ///< the mesh
+  double error = 0;                               ///< as in AttributeInfo, of a component
+};
+
+/// A blob of a scene in a file.
+struct BlobInfo {
+  std::string name;
+  std::uint64_t size = 0;   ///< of the blob
+  std::uint64_t bytes = 0;  ///< compressed
+};
+
+/// What a file holds besides meshes.
+struct SceneInfo {
+  std::vector<ArrayInfo> arrays;
+  std::vector<BlobInfo> blobs;
+  std::uint64_t document_size = 0, document_bytes = 0;  ///< 0 without one
+  std::uint64_t array_bytes = 0, blob_bytes = 0;        ///< of all
+  std::uint64_t metadata_bytes = 0;
+  std::vector<MetadataEntry> metadata = {};  ///< empty in Encoded: the caller has it
+
+  std::uint64_t bytes() const { return document_bytes + array_bytes + blob_bytes + metadata_bytes; }
+};
+
 /// A file, by what can be read without decoding it.
 struct FileInfo {
   std::uint32_t format_major = 0, format_minor = 0;
   int level = 0;  ///< that it was made with
   std::uint64_t total_bytes = 0;
-  std::uint64_t overhead_bytes = 0;  ///< the total less what is counted for meshes
+  std::uint64_t overhead_bytes = 0;  ///< the total less what is counted for meshes and the scene
   std::vector<MeshInfo> meshes;
+  SceneInfo scene;
 };
 
 }  // namespace clers

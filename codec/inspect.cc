@@ -68,6 +68,11 @@ Expected<Inspection> inspect(std::span<const std::byte> bytes, const Limits& lim
     auto info = info_of(*file, false);
     if (!info) return Failure{info.error()};
     Inspection result{std::move(*info), {}};
+    if (file->scene.metadata) {
+      auto metadata = decode_metadata(*file->scene.metadata);
+      if (!metadata) return Failure{metadata.error()};
+      result.file.scene.metadata = std::move(*metadata);
+    }
     result.meshes.reserve(file->meshes.size());
     for (std::size_t i = 0; i < file->meshes.size(); ++i) {
       auto mesh = look_at(file->meshes[i], result.file.meshes[i]);

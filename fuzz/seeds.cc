@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "codec/connectivity/connectivity.h"
 #include "codec/encode.h"
+#include "codec/gltf/gltf.h"
 #include "codec/io/io.h"
 #include "codec/soup/adjacency.h"
 #include "corpus/generate.h"
@@ -51,6 +53,29 @@ bool write(const std::filesystem::path& file, std::span<const std::byte> bytes) 
   out.write(reinterpret_cast<const char*>(bytes.data()),
             static_cast<std::streamsize>(bytes.size()));
   return bool(out.flush());
+}
+
+/// A triangle, as a glTF.
+constexpr std::string_view small_gltf =
+    R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"data:;base64,)"
+    R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
+    R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","max":[1,1,0],"min":[0,0,0]}],)"
+    R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0}]})";
+
+/// What a file may hold besides meshes.
+bool write_scenes(const std::filesystem::path& root) {
+  const auto bytes = std::as_bytes(std::span(small_gltf));
+  const auto read = gltf::read(bytes, {});
+  if (!read) return false;
+  Scene other;
+  other.meshes = {corpus::grid(2, 3)};
+  other.arrays = {{"vertices", Scalar::uint32, 1, std::vector<std::byte>(40), 0},
+                  {"values", Scalar::float32, 2, std::vector<std::byte>(80, std::byte{60})}};
+  other.blobs = {{"blob", std::vector<std::byte>(100)}};
+  const auto of_gltf = encode(read->scene), of_other = encode(other);
+  return of_gltf && of_other && write(root / "read_gltf" / "triangle", bytes) &&
+         write(root / "decode_any" / "gltf", of_gltf->bytes) &&
+         write(root / "decode_any" / "scene", of_other->bytes);
 }
 
 /// Nothing here may fail: the meshes are ours.
@@ -98,6 +123,8 @@ bool write_all(const std::filesystem::path& root) {
   }
   const auto together = encode(all);
   ok = ok && together && write(root / "decode_any" / "all", together->bytes);
+
+  ok = ok && write_scenes(root);
 
   // round_trip makes its meshes from any bytes: vertices, level, kind, then what to join.
   for (unsigned kind = 0; kind < 16; ++kind) {  // the second half in pieces

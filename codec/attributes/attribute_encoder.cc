@@ -16,6 +16,7 @@
 #include "codec/attributes/ordered_integers.h"
 #include "codec/attributes/planes.h"
 #include "codec/attributes/sized_positions.h"
+#include "codec/attributes/weights.h"
 #include "codec/numbers/number_encoder.h"
 #include "codec/numbers/ranks.h"
 
@@ -66,7 +67,7 @@ class AttributeEncoder {
             ? put_integers(attribute_.data, *plan.integers_of, plan.systems)
             : put_into_systems(attribute_.data, attribute_.scalar, plan.systems, level_);
     header_.narrow = numbered.numbers.narrow();
-    if (level_ >= 5 && may_be_normals(numbered.numbers, along_)) normals(plan, numbered);
+    if (level_ >= 5 && attribute_.components == 3) normals(plan, numbered);
     const auto ok =
         header_.narrow ? integers(numbered, numbered.narrow) : integers(numbered, numbered.wide);
     if (!ok) return Failure{ok.error()};
@@ -116,6 +117,9 @@ class AttributeEncoder {
                                              header_.coded_domain()));
     if (!is_position && level_ >= 5 && of_vertices() && attribute_.components == 2)
       take(Coder::charts, encode_charts(lattice, along_, level_));
+    if (!is_position && level_ >= 5 && of_vertices() && may_be_weights(numbered.numbers) &&
+        look_like_weights<Int>(rows, numbered.numbers))
+      take(Coder::weights, encode_weights<Int>(rows, numbered.numbers, along_));
     if (is_position && level_ == 9) take(Coder::mixed, encode_mixed(surface_, lattice));
     if (is_position && level_ >= 7)
       take(Coder::sized, encode_sized_positions(surface_, lattice, VisitOrder::parallelograms));
@@ -143,6 +147,7 @@ class AttributeEncoder {
   void normals(const AttributePlan& plan, const NumberedValues& given) {
     if (is_position_ || !of_vertices()) return;
     const auto take = [&](const NumberedValues& numbered) {
+      if (!may_be_normals(numbered.numbers, along_)) return false;
       header_.narrow = numbered.numbers.narrow();
       const auto try_rows = [&](const auto& rows) {
         const std::span all(rows.data(), rows.size());

@@ -11,8 +11,13 @@
 namespace clers::internal {
 
 bool may_be_normals(const Numbers& numbers, const ValueSurface& along) {
-  const bool three =
-      numbers.axes.size() == 3 && (is_float(numbers.scalar) || clers::size_of(numbers.scalar) <= 2);
+  // Of floats with a varying number of digits k says too little.
+  const bool plain =
+      std::none_of(numbers.systems.begin(), numbers.systems.end(), [](const NumberSystem& s) {
+        return s.map == NumberMap::digits || s.map == NumberMap::binary;
+      });
+  const bool three = plain && numbers.axes.size() == 3 &&
+                     (is_float(numbers.scalar) || clers::size_of(numbers.scalar) <= 2);
   return (numbers.octahedral_bits() > 0 || three) && along.position != nullptr &&
          along.position->components == 3;
 }

@@ -179,9 +179,12 @@ class CommandLine {
             "  clers encode bunny.ply\n"
             "  clers encode -9 a.obj b.off c.stl -o packed/\n"
             "  clers encode --positions q14 --attribute normal=q10 scan.ply\n"
+            "  clers encode scene.glb -o small.glb     a glTF with an extension\n"
             "  curl -s https://example.org/m.ply | clers encode --from ply - >m.clers");
-    inputs(encode, "mesh files: ply, obj, off, stl");
-    output(encode, "the .clers file, or a directory for several");
+    inputs(encode, "mesh files: ply, obj, off, stl; scenes: glb, gltf");
+    output(
+        encode,
+        "the .clers file, or a .glb or .gltf with .clers files in it; or a directory for several");
     from(encode);
     CLI::Option* digits = encode.add_flag("-1{1},-2{2},-3{3},-4{4},-5{5},-6{6},-7{7},-8{8},-9{9}",
                                           digit_, "the level, as --level");
@@ -314,7 +317,7 @@ class CommandLine {
                           "  clers check bunny.ply\n"
                           "  clers check scans/*.ply\n"
                           "  clers check --json bunny.ply | jq .genus");
-    inputs(check, "mesh files: ply, obj, off, stl");
+    inputs(check, "mesh files: ply, obj, off, stl; scenes: glb, gltf");
     from(check);
     json(check);
     quiet(check);
@@ -371,17 +374,16 @@ class CommandLine {
     format(sub, "--from", options_.from, "format of the input; default: by its name");
   }
   void to(CLI::App& sub, const char* what) { format(sub, "--to", options_.to, what); }
-  void format(CLI::App& sub, const char* name, std::optional<io::Format>& target,
-              const char* what) {
+  void format(CLI::App& sub, const char* name, std::optional<Format>& target, const char* what) {
     sub.add_option(
            name,
            [&target, name](const CLI::results_t& values) {
-             target = io::format_of(values.back());
-             if (!target) refuse(name, "ply, obj, off or stl", values.back());
+             target = format_of(values.back());
+             if (!target) refuse(name, format_names, values.back());
              return true;
            },
            what)
-        ->option_text("ply|obj|off|stl");
+        ->option_text("ply|obj|off|stl|glb|gltf");
   }
   void text(CLI::App& sub) {
     sub.add_flag("--text", options_.text, "text instead of binary, for ply and stl");
@@ -513,7 +515,7 @@ class CommandLine {
 
   std::string unknown_command(const std::string& word) const {
     const std::string what = "unknown command " + in_quotes(word);
-    if (io::format_of(word) && word.find('.') != std::string::npos)
+    if (format_of(word) && word.find('.') != std::string::npos)
       return fmt::format("a command is needed, such as: clers encode {}", printable(word));
     if (word.ends_with(".clers"))
       return fmt::format("a command is needed, such as: clers decode {}", printable(word));
@@ -572,7 +574,7 @@ class CommandLine {
     if (options_.inputs.size() == 2) {
       const std::string &first = options_.inputs[0], &last = options_.inputs[1];
       const auto is_mesh = [](const std::string& name) {
-        return name.find('.') != std::string::npos && io::format_of(name);
+        return name.find('.') != std::string::npos && format_of(name);
       };
       const bool swapped = first.ends_with(".clers") && is_mesh(last);
       if (command_ == &cli::verify && swapped)

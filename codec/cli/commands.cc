@@ -28,24 +28,71 @@ Outcome<Done> save_meshes(Job& job, const std::vector<Mesh>& meshes, io::Format 
 }
 
 /// Binary where a format has it, unless text is asked for.
-io::Encoding encoding_of(io::Format format, const Options& options) {
-  const bool has_binary = format == io::Format::ply || format == io::Format::stl;
+io::Encoding encoding_of(Format format, const Options& options) {
+  if (is_scene(format))
+    return std::get<gltf::Form>(format) == gltf::Form::glb ? io::Encoding::binary
+                                                           : io::Encoding::text;
+  const auto of_meshes = std::get<io::Format>(format);
+  const bool has_binary = of_meshes == io::Format::ply || of_meshes == io::Format::stl;
   return has_binary && !options.text ? io::Encoding::binary : io::Encoding::text;
 }
 
-/// What meshes were read from before they were encoded; what holds them, if that is not known.
-io::Source source_of(const std::vector<Mesh>& meshes) {
-  if (meshes.size() != 1) return {io::Format::obj, io::Encoding::text};
-  return io::source_of(meshes[0]).value_or(io::Source{io::Format::ply, io::Encoding::binary});
+struct Source {
+  Format format;
+  io::Encoding encoding;
+};
+
+/// What a scene was read from before it was encoded; what holds its meshes, if that is not known.
+Source source_of(const Scene& scene) {
+  if (const auto form = gltf::form_of(scene))
+    return {*form, *form == gltf::Form::glb ? io::Encoding::binary : io::Encoding::text};
+  if (scene.meshes.size() != 1) return {io::Format::obj, io::Encoding::text};
+  const io::Source source =
+      io::source_of(scene.meshes[0]).value_or(io::Source{io::Format::ply, io::Encoding::binary});
+  return {source.format, source.encoding};
 }
 
 /// The format of an output by --to or by its name; none if it gets its name by the format.
-Outcome<std::optional<io::Format>> format_of_output(const Options& options,
-                                                    const std::optional<std::string>& given) {
+Outcome<std::optional<Format>> format_of_output(const Options& options,
+                                                const std::optional<std::string>& given) {
   if (options.to || !given || *given == "-") return options.to;
-  const Outcome<io::Format> named = format_for(*given, {}, "--to");
+  const Outcome<Format> named = format_for(*given, {}, "--to");
   if (!named) return Failure{named.error()};
   return std::optional(*named);
+}
+
+/// Writes the files that one at `output` names, but for those that are there already.
+Outcome<Done> save_beside(const Options& options, const std::string& output,
+                          std::span<const gltf::File> files) {
+  const FileIds inputs = ids_of(options.inputs);
+  std::vector<const gltf::File*> missing;
+  for (const gltf::File& file : files) {
+    const std::string path = beside(output, file.path);
+    if (const auto there = read_file(path); there && *there == file.bytes) continue;
+    if (auto ok = check_output(path, options.force, inputs); !ok) return ok;
+    missing.push_back(&file);
+  }
+  for (const gltf::File* file : missing)
+    if (auto ok = write_file(beside(output, file->path), file->bytes, options.force); !ok)
+      return ok;
+  return Done{};
+}
+
+/// Writes a scene in a format and saves it, which are two stages.
+Outcome<Done> save_scene(const Options& options, Job& job, const Scene& scene, Format format,
+                         io::Encoding encoding, const std::string& output) {
+  if (!is_scene(format)) {
+    const std::string lost = besides_meshes(scene);
+    if (!lost.empty())
+      job.note(output_name(output), "meshes alone are in it, without " + lost + " of the scene",
+               true);
+    return save_meshes(job, scene.meshes, std::get<io::Format>(format), encoding, output);
+  }
+  job.progress().next();
+  const auto written = write_scene(scene, std::get<gltf::Form>(format), output);
+  if (!written) return Failure{written.error()};
+  if (auto ok = save_beside(options, output, written->files); !ok) return ok;
+  return job.save(output, written->bytes);
 }
 
 constexpr char clers_suffix[] = ".clers";
@@ -54,11 +101,40 @@ const char* suffix_if_known(const Options& options) {
   return options.to ? extension(*options.to) : nullptr;
 }
 
+/// Notes of what comes back otherwise than it was.
+void note_changes(Job& job, std::span<const Warning> warnings, std::span<const MeshInfo> report) {
+  for (const Warning& warning : warnings)
+    job.note(job.name(),
+             (report.size() > 1 ? fmt::format("mesh {}: ", warning.mesh) : "") + warning.what,
+             false);
+  for (const FoundError& found : largest_errors(report)) job.note(job.name(), off_by(found), true);
+}
+
+/// The same of arrays.
+void note_changes(Job& job, const SceneInfo& scene) {
+  std::vector<FoundError> found;
+  for (const ArrayInfo& a : scene.arrays)
+    if (a.error > 0) add(found, {a.name, Domain::face, a.error, ErrorMeasure::difference});
+  for (const FoundError& one : found) job.note(job.name(), off_by(one), true);
+}
+
+/// A scene whose meshes are .clers files, for an output that is called so.
+Outcome<Done> encode_within(const Options& options, Job& job, const SceneFile& file,
+                            gltf::Form form, const std::string& output) {
+  EncodeOptions how = options.encode;
+  how.progress = {};
+  auto written = gltf::write_compressed(file.scene, file.orders, how, options_for(form, output));
+  if (!written) return stop(job.name(), written.error());
+  note_changes(job, written->warnings, written->report);
+  if (auto ok = save_beside(options, output, written->written.files); !ok) return ok;
+  return job.save(output, written->written.bytes);
+}
+
 Outcome<Done> encode_one(const Options& options, Job& job, const Destination& to) {
   if (const auto format = job.mesh_format(); !format) return Failure{format.error()};
   const Outcome<std::string> output = to.of(job.input(), clers_suffix, io::Encoding::binary);
   if (!output) return Failure{output.error()};
-  const Outcome<MeshFile> file = job.read_meshes();
+  const Outcome<SceneFile> file = job.read_scene();
   if (!file) return Failure{file.error()};
   const Losses lost = losses(file->notes);
   if (options.strict && !lost.what.empty())
@@ -67,16 +143,19 @@ Outcome<Done> encode_one(const Options& options, Job& job, const Destination& to
                             job.name(), lost.what));
   job.note(job.name(), file->notes);
   job.progress().next();
+  if (const auto format = format_of_path(*output); format && is_scene(*format)) {
+    if (!gltf::form_of(file->scene))
+      return stop(Exit::usage, *output + ": only a scene can become a glTF");
+    return encode_within(options, job, *file, std::get<gltf::Form>(*format), *output);
+  }
   EncodeOptions how = options.encode;
   how.progress = job.progress().callback();
-  const auto encoded = clers::encode(file->meshes, how);
+  const auto encoded =
+      clers::encode(file->scene, how,
+                    how.order == Order::keep ? std::span<const Order>() : std::span(file->orders));
   if (!encoded) return stop(job.name(), encoded.error());
-  for (const Warning& warning : encoded->warnings)
-    job.note(job.name(),
-             (file->meshes.size() > 1 ? fmt::format("mesh {}: ", warning.mesh) : "") + warning.what,
-             false);
-  for (const FoundError& found : largest_errors(encoded->report))
-    job.note(job.name(), off_by(found), true);
+  note_changes(job, encoded->warnings, encoded->report);
+  note_changes(job, encoded->scene);
   return job.save(*output, encoded->bytes);
 }
 
@@ -89,14 +168,16 @@ Outcome<Done> decode_one(const Options& options, Job& job, const Destination& to
   if (!output) return Failure{output.error()};
   const Outcome<Bytes> bytes = job.read();
   if (!bytes) return Failure{bytes.error()};
-  const Outcome<std::vector<Mesh>> meshes = job.decode(*bytes);
-  if (!meshes) return Failure{meshes.error()};
-  if (*format) return save_meshes(job, *meshes, **format, encoding_of(**format, options), *output);
-  const io::Source source = source_of(*meshes);
-  const io::Encoding encoding = options.text ? io::Encoding::text : source.encoding;
+  const Outcome<Scene> scene = job.decode(*bytes);
+  if (!scene) return Failure{scene.error()};
+  if (*format)
+    return save_scene(options, job, *scene, **format, encoding_of(**format, options), *output);
+  const Source source = source_of(*scene);
+  const io::Encoding encoding =
+      options.text && !is_scene(source.format) ? io::Encoding::text : source.encoding;
   output = to.of(job.input(), extension(source.format), encoding);
   if (!output) return Failure{output.error()};
-  return save_meshes(job, *meshes, source.format, encoding, *output);
+  return save_scene(options, job, *scene, source.format, encoding, *output);
 }
 
 Outcome<Done> subdivide_one(const Options& options, Job& job, const Destination& to) {
@@ -104,16 +185,19 @@ Outcome<Done> subdivide_one(const Options& options, Job& job, const Destination&
   if (!from) return Failure{from.error()};
   const auto named = format_of_output(options, to.given(job.input()));
   if (!named) return Failure{named.error()};
-  const io::Format format = named->value_or(*from);
+  const Format any = named->value_or(*from);
+  if (is_scene(*from) || is_scene(any))
+    return stop(Exit::usage, job.name() + ": a scene cannot be subdivided, only mesh files can");
+  const auto format = std::get<io::Format>(any);
   const io::Encoding encoding = encoding_of(format, options);
   const Outcome<std::string> output = to.of(job.input(), extension(format), encoding);
   if (!output) return Failure{output.error()};
-  Outcome<MeshFile> file = job.read_meshes();
+  Outcome<SceneFile> file = job.read_scene();
   if (!file) return Failure{file.error()};
   job.note(job.name(), file->notes);
   job.progress().next();
   std::vector<std::string> results;
-  for (Mesh& mesh : file->meshes) {
+  for (Mesh& mesh : file->scene.meshes) {
     auto done =
         subdivide(mesh, options.subdivision, [&](double share) { job.progress().show(share); });
     if (!done) return stop(job.name(), done.error());
@@ -122,7 +206,7 @@ Outcome<Done> subdivide_one(const Options& options, Job& job, const Destination&
                                   describe(options.subdivision, *done)));
     mesh = std::move(done->mesh);
   }
-  return save_meshes(job, file->meshes, format, encoding, *output, results);
+  return save_meshes(job, file->scene.meshes, format, encoding, *output, results);
 }
 
 }  // namespace

@@ -6,19 +6,19 @@
 #include <string>
 #include <vector>
 
+#include "codec/cli/formats.h"
 #include "codec/cli/outcome.h"
 #include "codec/cli/subdivide.h"
 #include "codec/decode.h"
 #include "codec/encode.h"
-#include "codec/io/io.h"
 
 namespace clers::cli {
 
 struct Options {
   std::vector<std::string> inputs;
   std::optional<std::string> output;  ///< of encode, decode and subdivide; as Destination takes it
-  std::optional<io::Format> from;     ///< of mesh files read
-  std::optional<io::Format> to;       ///< of mesh files written
+  std::optional<Format> from;         ///< of mesh files read
+  std::optional<Format> to;           ///< of mesh files written
   bool text = false;                  ///< text is written where the format offers both
   bool strict = false;                ///< what cannot be carried is an error
   bool remove_inputs = false;

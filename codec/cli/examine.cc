@@ -11,6 +11,7 @@
 #include "codec/cli/precision.h"
 #include "codec/cli/printable.h"
 #include "codec/cli/report.h"
+#include "codec/cli/scene_difference.h"
 #include "codec/compare.h"
 #include "codec/decoder.h"
 
@@ -153,12 +154,12 @@ Exit info(const Options& options) {
 Exit check(const Options& options) {
   Reports reports(options, check_heading());
   return reports.end(for_each_input(options, check_plan, [&](Job& job) -> Outcome<Done> {
-    const Outcome<MeshFile> file = job.read_meshes();
+    const Outcome<SceneFile> file = job.read_scene();
     if (!file) return Failure{file.error()};
     job.note(job.name(), file->notes);
     job.progress().next();
     std::vector<Measured> measured;
-    for (const Mesh& mesh : file->meshes) {
+    for (const Mesh& mesh : file->scene.meshes) {
       const auto shape = measure(mesh);
       if (!shape) return stop(job.name(), shape.error());
       measured.push_back({mesh.name, *shape});
@@ -175,20 +176,24 @@ Exit verify(const Options& options) {
     if (original == "-" && file == "-")
       return stop(Exit::usage, "only one of the two files can be standard input");
     Job job(options, file, input_name(file), verify_plan);
-    const Outcome<MeshFile> expected = job.read_meshes(original);
+    const Outcome<SceneFile> expected = job.read_scene(original);
     if (!expected) return Failure{expected.error()};
     const Outcome<Bytes> bytes = job.read();
     if (!bytes) return Failure{bytes.error()};
-    const Outcome<std::vector<Mesh>> found = job.decode(*bytes);
+    const Outcome<Scene> found = job.decode(*bytes);
     if (!found) return Failure{found.error()};
     job.progress().next();
     const Expected<Decoder> decoder = Decoder::open(*bytes, options.decode);
     const Expected<FileInfo> stated = decoder ? decoder->info() : Failure{decoder.error()};
     if (!stated) return job.not_accepted(stated.error());
-    const auto same = compare_all(job, expected->meshes, *found, stated->meshes);
+    const std::string other = scene_difference(expected->scene, *found, stated->scene.arrays);
+    if (!other.empty())
+      return stop(Exit::different, fmt::format("{}: differs: {}", job.name(), other));
+    const auto same =
+        compare_all(job, with_uses(expected->scene), with_uses(*found), stated->meshes);
     if (!same) return Failure{same.error()};
 
-    const std::string metadata = metadata_differences(expected->meshes, *found);
+    const std::string metadata = metadata_differences(expected->scene.meshes, found->meshes);
     if (options.strict && !metadata.empty())
       return stop(Exit::different, fmt::format("{}: differs: {}", job.name(), metadata));
     const Losses lost = losses(expected->notes);
@@ -198,13 +203,13 @@ Exit verify(const Options& options) {
     job.progress().hide();
     if (options.quiet) return Exit::done;
     std::size_t faces = 0;
-    for (const Mesh& mesh : *found) faces += mesh.face_count();
+    for (const Mesh& mesh : found->meshes) faces += mesh.face_count();
     const std::string verdict = fmt::format(
         "{}: same as {}{}{}: {}, {} face{}, {}{}", job.name(), input_name(original),
         metadata.empty() ? "" : fmt::format(", but for {}", metadata),
         lost.what.empty() ? ""
                           : fmt::format(", but for {} that {} not carried", lost.what, lost.are),
-        meshes_of(found->size()), grouped(faces), faces == 1 ? "" : "s",
+        meshes_of(found->meshes.size()), grouped(faces), faces == 1 ? "" : "s",
         exactness(same->errors, stated->meshes), same->ordered ? ", in the same order" : "");
     const auto printed = print(printable(verdict) + "\n");
     if (!printed) return Failure{printed.error()};

@@ -25,30 +25,16 @@ void complain(const std::string& line) {
   if (!line.empty()) put_line("clers: " + line);
 }
 
-Outcome<io::Format> format_for(const std::string& path, std::optional<io::Format> given,
-                               const char* option) {
+Outcome<Format> format_for(const std::string& path, std::optional<Format> given,
+                           const char* option) {
   if (given) return *given;
-  const std::size_t dot = path.rfind('.');
-  if (dot != std::string::npos)
-    if (const auto format = io::format_of(path.substr(dot))) return *format;
+  if (const auto format = format_of_path(path)) return *format;
   return stop(
       Exit::usage,
       path == "-"
-          ? fmt::format("standard input: has no name to tell its format; {} ply, obj, off or "
-                        "stl does",
-                        option)
-          : fmt::format("{}: its name tells no format; {} ply, obj, off or stl does", path,
-                        option));
-}
-
-const char* extension(io::Format format) {
-  switch (format) {
-    case io::Format::ply: return ".ply";
-    case io::Format::obj: return ".obj";
-    case io::Format::off: return ".off";
-    case io::Format::stl: return ".stl";
-  }
-  return "";
+          ? fmt::format("standard input: has no name to tell its format; {} {} does", option,
+                        format_names)
+          : fmt::format("{}: its name tells no format; {} {} does", path, option, format_names));
 }
 
 Losses losses(const io::Notes& notes) {
@@ -69,7 +55,7 @@ Outcome<Bytes> Job::read(const std::string& path) {
   return bytes;
 }
 
-Outcome<io::Format> Job::mesh_format(const std::string& path) const {
+Outcome<Format> Job::mesh_format(const std::string& path) const {
   std::error_code error;  // of a path that cannot be looked at, which reading it reports
   if (std::filesystem::is_directory(path, error))
     return stop(Exit::input, path + ": is a directory; name the files in it");
@@ -80,25 +66,23 @@ Outcome<io::Format> Job::mesh_format(const std::string& path) const {
   return format;
 }
 
-Outcome<MeshFile> Job::read_meshes(const std::string& path) {
+Outcome<SceneFile> Job::read_scene(const std::string& path) {
   const auto format = mesh_format(path);
   if (!format) return Failure{format.error()};
   const Outcome<Bytes> bytes = read(path);
   if (!bytes) return Failure{bytes.error()};
   progress_.next();
-  Expected<io::ReadResult> read = io::read(*bytes, *format);
-  if (!read) return stop(input_name(path), read.error());
-  return MeshFile{std::move(read->meshes), std::move(read->notes)};
+  return parse_scene(path, *bytes, *format);
 }
 
-Outcome<std::vector<Mesh>> Job::decode(std::span<const std::byte> bytes) {
+Outcome<Scene> Job::decode(std::span<const std::byte> bytes) {
   progress_.next();
   DecodeOptions how = options_.decode;
   how.progress = progress_.callback();
   if (!options_.piece) {
-    Expected<std::vector<Mesh>> meshes = clers::decode(bytes, how);
-    if (!meshes) return not_accepted(meshes.error());
-    return std::move(*meshes);
+    Expected<Scene> scene = clers::decode_scene(bytes, how);
+    if (!scene) return not_accepted(scene.error());
+    return std::move(*scene);
   }
   const Expected<Decoder> file = Decoder::open(bytes, how);
   if (!file) return not_accepted(file.error());
@@ -108,13 +92,13 @@ Outcome<std::vector<Mesh>> Job::decode(std::span<const std::byte> bytes) {
                ? stop(Exit::usage,
                       fmt::format("{}: {}, counted from 0", name(), piece.error().what))
                : not_accepted(piece.error());
-  std::vector<Mesh> one;
-  one.push_back(std::move(piece->mesh));
+  Scene one;
+  one.meshes.push_back(std::move(piece->mesh));
   return one;
 }
 
 Failure<Stop> Job::not_accepted(const Error& error) const {
-  const bool mesh = input_.find('.') != std::string::npos && io::format_of(input_);
+  const bool mesh = format_of_path(input_).has_value();
   if (error.code == ErrorCode::not_clers && mesh)
     return stop(Exit::input, name() +
                                  ": is no .clers file but a mesh file; clers encode compresses "

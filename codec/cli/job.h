@@ -11,15 +11,13 @@
 #include "codec/cli/destination.h"
 #include "codec/cli/files.h"
 #include "codec/cli/progress.h"
+#include "codec/cli/scenes.h"
 
 namespace clers::cli {
 
 /// The format that is given or that a file's name has. `option` would give it.
-Outcome<io::Format> format_for(const std::string& path, std::optional<io::Format> given,
-                               const char* option);
-
-/// ".ply"
-const char* extension(io::Format format);
+Outcome<Format> format_for(const std::string& path, std::optional<Format> given,
+                           const char* option);
 
 /// What was left out, as a part of a sentence.
 struct Losses {
@@ -27,11 +25,6 @@ struct Losses {
   const char* are = "are";  ///< or "is"
 };
 Losses losses(const io::Notes& notes);
-
-struct MeshFile {
-  std::vector<Mesh> meshes;
-  io::Notes notes;
-};
 
 /// One input of a command.
 class Job {
@@ -47,12 +40,13 @@ class Job {
   Progress& progress() { return progress_; }
 
   Outcome<Bytes> read() { return read(input_); }
-  /// The format of the input, a mesh file; or what it is instead, by its name.
-  Outcome<io::Format> mesh_format() const { return mesh_format(input_); }
-  /// Reads and parses a mesh file, `read` and parsed being a stage each.
-  Outcome<MeshFile> read_meshes() { return read_meshes(input_); }
-  Outcome<MeshFile> read_meshes(const std::string& path);
-  Outcome<std::vector<Mesh>> decode(std::span<const std::byte> bytes);
+  /// The format of the input, a mesh file or a scene; or what it is instead, by its name.
+  Outcome<Format> mesh_format() const { return mesh_format(input_); }
+  /// Reads and parses a mesh file or a scene, `read` and parsed being a stage each.
+  Outcome<SceneFile> read_scene() { return read_scene(input_); }
+  Outcome<SceneFile> read_scene(const std::string& path);
+  /// All of a .clers file, or the piece that is asked for.
+  Outcome<Scene> decode(std::span<const std::byte> bytes);
 
   /// Why the input is not accepted as a .clers file.
   Failure<Stop> not_accepted(const Error& error) const;
@@ -69,7 +63,7 @@ class Job {
  private:
   using Clock = std::chrono::steady_clock;
 
-  Outcome<io::Format> mesh_format(const std::string& path) const;
+  Outcome<Format> mesh_format(const std::string& path) const;
   Outcome<Bytes> read(const std::string& path);
   std::string sizes_and_time(const std::string& output, std::size_t size) const;
 

@@ -115,6 +115,33 @@ void put(Json& json, const MeshInfo& info, const InspectedMesh& measured) {
     json["symbols"][std::string(1, symbol_names[i])] = measured.counts.symbols[i];
 }
 
+/// What a file holds besides meshes, if anything.
+Json in_json(const SceneInfo& scene) {
+  Json json;
+  json["document_size"] = scene.document_size;
+  json["document_bytes"] = scene.document_bytes;
+  json["metadata_bytes"] = scene.metadata_bytes;
+  json["arrays"] = Json::array();
+  for (const ArrayInfo& a : scene.arrays) {
+    json["arrays"].push_back({{"name", a.name},
+                              {"scalar", name(a.scalar)},
+                              {"components", a.components},
+                              {"count", a.count},
+                              {"bytes", a.bytes},
+                              {"numbers", a.numbers},
+                              {"coder", a.coder},
+                              {"error", a.error}});
+    if (a.vertices_of) json["arrays"].back()["vertices_of"] = *a.vertices_of;
+  }
+  json["blobs"] = Json::array();
+  for (const BlobInfo& b : scene.blobs)
+    json["blobs"].push_back({{"name", b.name}, {"size", b.size}, {"bytes", b.bytes}});
+  json["metadata"] = Json::array();
+  for (const MetadataEntry& entry : scene.metadata)
+    json["metadata"].push_back({{"key", entry.key}, {"value", entry.value}});
+  return json;
+}
+
 /// Names come from files: bytes that are no UTF-8 are replaced rather than refused.
 std::string dump(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
@@ -160,6 +187,23 @@ void put(std::string& out, std::span<const AttributeInfo> attributes) {
   }
 }
 
+/// A line for each array and blob.
+void put(std::string& out, const SceneInfo& scene) {
+  if (scene.document_size != 0)
+    out += fmt::format("  {:<22}{:>15} bytes of {}\n", "document", grouped(scene.document_bytes),
+                       grouped(scene.document_size));
+  for (const ArrayInfo& a : scene.arrays)
+    out += fmt::format(
+        "  {:<22}{:>15} bytes: {} values of {}{}, {}, {}{}\n", fitting(printable(a.name), 22),
+        grouped(a.bytes), grouped(a.count),
+        a.components == 1 ? name(a.scalar) : fmt::format("{} {}", a.components, name(a.scalar)),
+        a.vertices_of ? fmt::format(", vertices of mesh {}", *a.vertices_of) : "", a.coder,
+        printable(a.numbers), a.error > 0 ? fmt::format(", off by {:.4g} at most", a.error) : "");
+  for (const BlobInfo& b : scene.blobs)
+    out += fmt::format("  {:<22}{:>15} bytes of {}\n", fitting(printable(b.name), 22),
+                       grouped(b.bytes), grouped(b.size));
+}
+
 constexpr std::size_t longest_value = 54;  ///< of metadata, in a line of 80 columns
 
 std::string heading(std::size_t i, const std::string& mesh) {
@@ -201,6 +245,7 @@ std::string info_json(const std::string& file, const Inspection& found) {
       one["metadata"].push_back({{"key", entry.key}, {"value", entry.value}});
     json["meshes"].push_back(std::move(one));
   }
+  if (found.file.scene.bytes() != 0) json["scene"] = in_json(found.file.scene);
   return dump(json);
 }
 
@@ -254,6 +299,7 @@ std::string info_text(const std::string& file, const Inspection& found) {
   line(out, "attribute bytes", sum.attribute_bytes);
   if (meshes.size() == 1) put(out, meshes[0].attributes);
   if (sum.metadata_bytes != 0) line(out, "metadata bytes", sum.metadata_bytes);
+  put(out, found.file.scene);
   line(out, "overhead bytes", found.file.overhead_bytes);
   line(out, "total bytes", found.file.total_bytes);
   if (meshes.size() == 1)

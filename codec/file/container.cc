@@ -94,7 +94,7 @@ Expected<Section> ContainerReader::next() {
   if (check_ != stored)
     return fail(ErrorCode::corrupt, Place::byte, start,
                 "the section here does not match its checksum");
-  if (kind > static_cast<std::uint32_t>(SectionKind::metadata))
+  if (kind > last_section_kind)
     return fail(ErrorCode::invalid, Place::byte, start,
                 "a section of unknown kind " + std::to_string(kind));
   if (section.kind == SectionKind::end) {

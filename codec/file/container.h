@@ -25,7 +25,11 @@ enum class SectionKind : std::uint8_t {
   pieces = 5,
   seam = 6,
   metadata = 7,
+  document = 8,
+  array = 9,
+  blob = 10,
 };
+inline constexpr std::uint32_t last_section_kind = static_cast<std::uint32_t>(SectionKind::blob);
 
 /// Writes a file section by section.
 class ContainerWriter {
@@ -63,8 +67,7 @@ class ContainerReader {
   /// How many sections of a kind are still to come and how long their payloads are, as far as their
   /// lengths lead; nothing else of them is checked. Precondition: open().
   struct Tally {
-    std::array<std::uint64_t, static_cast<std::size_t>(SectionKind::metadata) + 1> sections{},
-        bytes{};
+    std::array<std::uint64_t, last_section_kind + 1> sections{}, bytes{};
     std::uint64_t count(SectionKind k) const { return sections[static_cast<std::size_t>(k)]; }
     std::uint64_t size(SectionKind k) const { return bytes[static_cast<std::size_t>(k)]; }
   };

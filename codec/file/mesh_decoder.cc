@@ -403,7 +403,7 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
   for (std::size_t i = attributes; i-- > 0;) {
     const PieceSections::AttributeSection& a = sections.attributes[i];
     if (a.decoded && a.header.attribute.domain == Domain::vertex &&
-        a.header.attribute.name == position_name)
+        a.header.attribute.name == position_name && !a.header.structure.any)
       first_position = &a;
   }
   const Attribute* position = nullptr;

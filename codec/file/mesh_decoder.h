@@ -40,7 +40,7 @@ std::uint64_t room_memory(const MeshSections& sections, Values values);
 std::uint64_t finishing_memory(const MeshSections& sections, Values values);
 
 /// Decodes a piece, all of it or only its faces. Threads are for its attributes, as far as what
-/// they take fits into `memory`. Preconditions: `sections` comes from read_meshes; `memory` is at
+/// they take fits into `memory`. Preconditions: `sections` comes from read_sections; `memory` is at
 /// least memory_of(sections, values).peak(). Errors: those of decode. Throws std::bad_alloc only.
 Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values,
                                     unsigned threads = 1, std::uint64_t memory = 0);

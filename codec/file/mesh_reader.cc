@@ -155,6 +155,9 @@ class MeshesReader {
 
   Expected<Done> take(const Section& section) {
     const bool any_piece = !meshes.empty() && !meshes.back().pieces.empty();
+    if (is_of_scene(section)) return add_to_scene(section);
+    if (scene.any_after_meshes() && section.kind != SectionKind::end)
+      return invalid(section, "a section of a mesh behind arrays or blobs");
     switch (section.kind) {
       case SectionKind::pieces: return begin_pieces(section);
       case SectionKind::mesh: return add_piece(section);
@@ -185,8 +188,51 @@ class MeshesReader {
   }
 
   std::vector<MeshSections> meshes;
+  SceneSections scene;
 
  private:
+  bool is_of_scene(const Section& section) const {
+    switch (section.kind) {
+      case SectionKind::document:
+      case SectionKind::array:
+      case SectionKind::blob: return true;
+      case SectionKind::metadata: return meshes.empty();
+      default: return false;
+    }
+  }
+
+  Expected<Done> add_to_scene(const Section& section) {
+    if (pieces_to_come_ > 0)
+      return invalid(section, "expected " + std::to_string(pieces_to_come_) + " more pieces");
+    if (section.kind == SectionKind::document) {
+      if (!meshes.empty() || scene.document || scene.metadata || scene.any_after_meshes())
+        return invalid(section, "a document that is not the first section");
+      return keep(read_document(section), scene.document);
+    }
+    if (section.kind == SectionKind::metadata) {
+      if (scene.metadata || scene.any_after_meshes())
+        return invalid(section, "metadata where none can be");
+      return keep(read_metadata_header(section.payload, section.at), scene.metadata);
+    }
+    if (section.kind == SectionKind::array) {
+      if (!scene.blobs.empty()) return invalid(section, "an array behind blobs");
+      return keep(read_array(section), scene.arrays);
+    }
+    return keep(read_blob(section), scene.blobs);
+  }
+  template <class T>
+  static Expected<Done> keep(Expected<T> read, std::optional<T>& where) {
+    if (!read) return Failure{read.error()};
+    where = std::move(*read);
+    return Done{};
+  }
+  template <class T>
+  static Expected<Done> keep(Expected<T> read, std::vector<T>& where) {
+    if (!read) return Failure{read.error()};
+    where.push_back(std::move(*read));
+    return Done{};
+  }
+
   static Failure<Error> invalid(const Section& section, std::string what) {
     return fail(ErrorCode::invalid, Place::byte, section.at, std::move(what));
   }
@@ -305,7 +351,7 @@ class MeshesReader {
 };
 
 /// What sections become: a mesh or a piece each, and lists of attributes that grow by doubling.
-std::uint64_t tables_memory(const ContainerReader::Tally& tally) {
+std::uint64_t meshes_memory(const ContainerReader::Tally& tally) {
   const std::uint64_t pieces = tally.count(SectionKind::mesh),
                       attributes = tally.count(SectionKind::attribute);
   return pieces * (sizeof(PieceSections) + 3 * sizeof(MeshSections)) +
@@ -342,11 +388,11 @@ void PieceSections::keep_attributes(const std::vector<bool>& wanted) {
   attributes.resize(count);
 }
 
-Expected<std::vector<MeshSections>> read_meshes(ContainerReader& file, const Limits& limits,
-                                                Budget& budget) {
+Expected<FileSections> read_sections(ContainerReader& file, const Limits& limits, Budget& budget) {
   if (auto ok = file.open(); !ok) return Failure{ok.error()};
   const ContainerReader::Tally tally = file.tally();
-  if (auto ok = budget.take(tables_memory(tally)); !ok) return Failure{ok.error()};
+  if (auto ok = budget.take(meshes_memory(tally) + tables_memory(tally)); !ok)
+    return Failure{ok.error()};
   MeshesReader reader(limits, tally.count(SectionKind::mesh));
   for (bool more = true; more;) {
     auto section = file.next();
@@ -361,7 +407,11 @@ Expected<std::vector<MeshSections>> read_meshes(ContainerReader& file, const Lim
   for (const MeshSections& mesh : reader.meshes)
     if (mesh.metadata)
       if (auto ok = budget.take(mesh.metadata->memory()); !ok) return Failure{ok.error()};
-  return std::move(reader.meshes);
+  if (reader.scene.metadata)
+    if (auto ok = budget.take(reader.scene.metadata->memory()); !ok) return Failure{ok.error()};
+  if (auto ok = check_vertices_of(reader.scene, reader.meshes.size()); !ok)
+    return Failure{ok.error()};
+  return FileSections{std::move(reader.meshes), std::move(reader.scene)};
 }
 
 }  // namespace clers::internal

@@ -17,6 +17,7 @@
 #include "codec/file/container.h"
 #include "codec/file/mesh_features.h"
 #include "codec/file/metadata.h"
+#include "codec/file/scene_sections.h"
 #include "codec/limits.h"
 #include "codec/pieces/assembly.h"
 #include "codec/soup/degenerate_faces.h"
@@ -96,10 +97,14 @@ struct MeshSections {
   }
 };
 
+struct FileSections {
+  std::vector<MeshSections> meshes;
+  SceneSections scene;
+};
+
 /// Everything that can be checked before a mesh is decoded, against the limits too. What is
 /// returned is taken out of the budget; what decoding will need is not.
-Expected<std::vector<MeshSections>> read_meshes(ContainerReader& file, const Limits& limits,
-                                                Budget& budget);
+Expected<FileSections> read_sections(ContainerReader& file, const Limits& limits, Budget& budget);
 
 }  // namespace clers::internal
 

@@ -61,11 +61,12 @@ Expected<MeshInfo> info_of(const MeshSections& s, bool with_metadata) {
 }  // namespace
 
 Expected<OpenFile> open_file(std::span<const std::byte> bytes, const Limits& limits) {
-  OpenFile result{{}, 0, 0, bytes.size(), Budget(limits, bytes.size())};
+  OpenFile result{{}, {}, 0, 0, bytes.size(), Budget(limits, bytes.size())};
   ContainerReader file(bytes);
-  auto meshes = read_meshes(file, limits, result.budget);
-  if (!meshes) return Failure{meshes.error()};
-  result.meshes = std::move(*meshes);
+  auto sections = read_sections(file, limits, result.budget);
+  if (!sections) return Failure{sections.error()};
+  result.meshes = std::move(sections->meshes);
+  result.scene = std::move(sections->scene);
   result.minor = file.minor();
   result.level = file.level();
   return result;
@@ -82,7 +83,7 @@ std::uint64_t info_memory(const OpenFile& file) {
       most = std::max(most, describing_memory(a.bytes, a.header, a.values()));
     }
   }
-  return memory + most;
+  return memory + most + info_memory(file.scene);
 }
 
 Expected<FileInfo> info_of(const OpenFile& file, bool metadata) {
@@ -99,6 +100,10 @@ Expected<FileInfo> info_of(const OpenFile& file, bool metadata) {
                            mesh->metadata_bytes;
     info.meshes.push_back(std::move(*mesh));
   }
+  auto scene = describe(file.scene, metadata);
+  if (!scene) return Failure{scene.error()};
+  info.scene = std::move(*scene);
+  info.overhead_bytes -= info.scene.bytes();
   return info;
 }
 

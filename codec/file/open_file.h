@@ -17,6 +17,7 @@ namespace clers::internal {
 
 struct OpenFile {
   std::vector<MeshSections> meshes;
+  SceneSections scene;
   std::uint32_t minor = 0;
   int level = 0;
   std::uint64_t size = 0;

@@ -41,7 +41,8 @@ Warning warning_of(const MeshView& mesh, const AttributeView& a, const Outliers&
 
 }  // namespace
 
-Expected<Done> check_precisions(std::span<const MeshView> meshes, const EncodeOptions& options) {
+Expected<Done> check_precisions(std::span<const MeshView> meshes, const EncodeOptions& options,
+                                std::span<const Array> arrays) {
   const std::vector<AttributePrecision>& all = options.precisions;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (const std::string fault = precision_fault(all[i].precision); !fault.empty())
@@ -53,6 +54,8 @@ Expected<Done> check_precisions(std::span<const MeshView> meshes, const EncodeOp
     bool known = false;
     for (const MeshView& mesh : meshes)
       for (const AttributeView a : mesh.attributes) known = known || names(all[i], a);
+    for (const Array& a : arrays)
+      known = known || (a.name == all[i].name && !all[i].domain && !a.vertices_of);
     if (!known) return fail(ErrorCode::bad_option, title(all[i]) + ": there is none of that name");
   }
   return Done{};

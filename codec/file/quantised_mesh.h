@@ -12,6 +12,7 @@
 #include "codec/mesh_view.h"
 #include "codec/options.h"
 #include "codec/precision.h"
+#include "codec/scene.h"
 
 namespace clers::internal {
 
@@ -25,8 +26,10 @@ struct QuantisedMesh {
   std::vector<AttributeView> attributes;
 };
 
-/// Refuses precisions that none can have, and names that no mesh has. Error: bad_option.
-Expected<Done> check_precisions(std::span<const MeshView> meshes, const EncodeOptions& options);
+/// Refuses precisions that none can have, and names that no mesh and no array has. Error:
+/// bad_option.
+Expected<Done> check_precisions(std::span<const MeshView> meshes, const EncodeOptions& options,
+                                std::span<const Array> arrays = {});
 
 /// Quantises what is to be quantised, whose values are copied. The mesh must outlive what comes
 /// out. Threads are for attributes. Precondition: check() and check_precisions() have passed it.

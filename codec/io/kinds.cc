@@ -21,8 +21,8 @@ struct Kind {
 constexpr Kind kinds[] = {
     {"CLERS"sv, " clers ", "a .clers file",
      ": it is encoded already; decode, info and verify read it"},
-    {"glTF"sv, " glb ", "a glTF binary", ", which clers does not read yet: export OBJ or PLY"},
-    {{}, " gltf ", "a glTF scene", ", which clers does not read yet: export OBJ or PLY"},
+    {"glTF"sv, " glb ", "a glTF binary", ": call it .glb, or say --from glb"},
+    {{}, " gltf ", "a glTF scene", ": call it .gltf, or say --from gltf"},
     {"DRACO"sv, " drc ", "a Draco file", ": decode it first, with draco_decoder"},
     {"\x1f\x8b"sv, " gz tgz ", "a gzip file", ": unpack it first, with gunzip"},
     {"\x28\xb5\x2f\xfd"sv, " zst ", "a zstd file", ": unpack it first, with zstd -d"},

@@ -173,7 +173,7 @@ run frobnicate; ends "an unknown command" 2 "frobnicate"
 run encode; ends "no input" 2 "FILE is required"
 run encode --frobnicate grid.obj -o x; ends "an unknown option" 2 "--frobnicate"
 run encode --level 10 grid.obj -o x; ends "a level too high" 2 "--level"
-run decode --to gif grid.clers -o x; ends "an unknown format" 2 "--to: expected ply, obj, off or stl, found 'gif'"
+run decode --to gif grid.clers -o x; ends "an unknown format" 2 "--to: expected ply, obj, off, stl, glb or gltf, found 'gif'"
 run decode --max-memory 3X grid.clers -o x.obj; ends "no size" 2 "3X"
 for command in "" encode decode info verify check subdivide; do
   run $command --help; ends "clers $command --help" 0
