@@ -67,7 +67,7 @@ class AttributeEncoder {
             ? put_integers(attribute_.data, *plan.integers_of, plan.systems)
             : put_into_systems(attribute_.data, attribute_.scalar, plan.systems, level_);
     header_.narrow = numbered.numbers.narrow();
-    if (level_ >= 5 && may_be_normals(numbered.numbers, along_)) normals(plan, numbered);
+    if (level_ >= 5 && attribute_.components == 3) normals(plan, numbered);
     const auto ok =
         header_.narrow ? integers(numbered, numbered.narrow) : integers(numbered, numbered.wide);
     if (!ok) return Failure{ok.error()};
@@ -147,6 +147,7 @@ class AttributeEncoder {
   void normals(const AttributePlan& plan, const NumberedValues& given) {
     if (is_position_ || !of_vertices()) return;
     const auto take = [&](const NumberedValues& numbered) {
+      if (!may_be_normals(numbered.numbers, along_)) return false;
       header_.narrow = numbered.numbers.narrow();
       const auto try_rows = [&](const auto& rows) {
         const std::span all(rows.data(), rows.size());

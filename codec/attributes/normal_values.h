@@ -75,8 +75,9 @@ class NormalExpectation {
     away_ = false;
     shape_ = {};
     if (formula_.at(v, normal, shape_)) {
-      if (nearby.count == 0) return 0;
-      const std::uint32_t u = nearby.around[0];
+      std::uint32_t u = nearby.count > 0 ? nearby.around[0] : nearby.same;
+      if (nearby.same != Nearby::none && is_same(nearby.same, normal)) u = nearby.same;
+      if (u == Nearby::none) return 0;
       // Faces that were turned for coding have their normals on the other side.
       away_ = opposite_[u];
       if (is_same(u, normal)) {
@@ -361,11 +362,11 @@ class NumberedNormals {
 /// what is in the rows or one that fills them. False if what is decoded is none.
 template <class Int, class Coder>
 bool code_normals(Coder& coder, const NormalModel& model, const Numbers& numbers,
-                  const FormulaNormals& formula, const CodedSurface& surface, std::span<Int> rows,
+                  const FormulaNormals& formula, const ValueSurface& along, std::span<Int> rows,
                   std::size_t most) {
   const auto code_all = [&](auto&& normals) {
     return for_each_with_nearby(
-        ValueSurface{surface}, rows.size() / numbers.axes.size(), most,
+        along, rows.size() / numbers.axes.size(), most,
         [&](std::uint32_t v, const Nearby& nearby) { return normals.code(v, nearby); });
   };
   if (const unsigned bits = numbers.octahedral_bits())

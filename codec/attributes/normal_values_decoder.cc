@@ -11,8 +11,13 @@
 namespace clers::internal {
 
 bool may_be_normals(const Numbers& numbers, const ValueSurface& along) {
-  const bool three =
-      numbers.axes.size() == 3 && (is_float(numbers.scalar) || clers::size_of(numbers.scalar) <= 2);
+  // Of floats with a varying number of digits k says too little.
+  const bool plain =
+      std::none_of(numbers.systems.begin(), numbers.systems.end(), [](const NumberSystem& s) {
+        return s.map == NumberMap::digits || s.map == NumberMap::binary;
+      });
+  const bool three = plain && numbers.axes.size() == 3 &&
+                     (is_float(numbers.scalar) || clers::size_of(numbers.scalar) <= 2);
   return (numbers.octahedral_bits() > 0 || three) && along.position != nullptr &&
          along.position->components == 3;
 }
@@ -39,13 +44,13 @@ Expected<Done> decode_normals(std::span<const std::byte> bytes, std::uint64_t at
   if (values > stream.max_decisions()) return invalid("more normals than their bytes can say");
   const FormulaNormals formula(along, values, model.formula);
   return decode_stream(stream, "the normals", [&](DecodeFrom& coder) {
-    const bool ok = code_normals(coder, model, numbers, formula, along.surface, rows, values);
+    const bool ok = code_normals(coder, model, numbers, formula, along, rows, values);
     return std::string(ok ? "" : "a normal beyond what there is");
   });
 }
 
 std::uint64_t normals_memory(std::uint64_t values, std::uint64_t vertices) {
-  return FormulaNormals::memory(values, vertices) + known_values_memory(values, 0) +
+  return FormulaNormals::memory(values, vertices) + known_values_memory(values, vertices) +
          NumberedNormals<std::int32_t, DecodeFrom>::memory(values);
 }
 

@@ -101,7 +101,7 @@ class ModelChoice {
     model.formula.unit = unit;
     const FormulaNormals formula(along_, vectors_.size(), model.formula);
     Measure coder;
-    code_normals(coder, model, numbers_, formula, along_.surface, std::span<Int>(rows_), sample);
+    code_normals(coder, model, numbers_, formula, along_, std::span<Int>(rows_), sample);
     if (coder.cost() >= least_) return;
     least_ = coder.cost();
     best_ = model;
@@ -128,8 +128,7 @@ Bytes encode_normals(std::span<const Int> rows, const Numbers& numbers, const Va
   const std::size_t values = rows.size() / numbers.axes.size();
   const FormulaNormals formula(along, values, model.formula);
   put_bytes(bytes, encode_stream([&](EncodeTo& coder) {
-              code_normals(coder, model, numbers, formula, along.surface, std::span<Int>(coded),
-                           values);
+              code_normals(coder, model, numbers, formula, along, std::span<Int>(coded), values);
             }));
   return bytes;
 }

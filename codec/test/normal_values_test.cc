@@ -174,13 +174,12 @@ TEST(NormalValues, ComeBackByEveryModel) {
       const FormulaNormals formula(along, ground.values, model.formula);
       auto rows = given.rows;
       const Bytes bytes = encode_stream([&](EncodeTo& coder) {
-        code_normals(coder, model, given.numbers, formula, along.surface, std::span(rows),
-                     ground.values);
+        code_normals(coder, model, given.numbers, formula, along, std::span(rows), ground.values);
       });
       EXPECT_EQ(rows, given.rows);
       std::vector<std::int64_t> back(rows.size(), -1);
       const auto decoded = decode_stream({bytes, 0}, "normals", [&](DecodeFrom& coder) {
-        return std::string(code_normals(coder, model, given.numbers, formula, along.surface,
+        return std::string(code_normals(coder, model, given.numbers, formula, along,
                                         std::span(back), ground.values)
                                ? ""
                                : "beyond");
