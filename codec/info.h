@@ -48,7 +48,8 @@ struct AttributeInfo {
   /// "3 decimals", "steps of 0.01", "float, 24 bits"; "sized", "named". Of the first piece.
   std::string numbers, coder;
   /// Which elements have which values, for people; empty: each its own. "wedges": corners that no
-  /// seam parts share one; "by index", "shared", "some missing", "some unused".
+  /// seam parts share one; "by index", "shared", "apart", "some missing", "some unused"; "welded":
+  /// vertices at one place have one.
   std::string structure;
   /// By how much its values were changed at most. 0: they come back bit for bit.
   double error = 0;
@@ -66,6 +67,7 @@ struct MeshInfo {
 
   // What encoding changed to have an oriented manifold surface, and decoding undoes.
   std::uint64_t copied_vertices = 0;   ///< the surface has this many more vertices than the mesh
+  std::uint64_t welded_vertices = 0;   ///< .. or so many fewer, since others are at their place
   std::uint64_t repeated_faces = 0;    ///< coded as references to another face
   std::uint64_t degenerate_faces = 0;  ///< coded separately
 

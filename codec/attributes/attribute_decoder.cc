@@ -13,6 +13,7 @@
 #include "codec/attributes/ordered_integers.h"
 #include "codec/attributes/planes.h"
 #include "codec/attributes/sized_positions.h"
+#include "codec/attributes/weights.h"
 #include "codec/numbers/ranks.h"
 
 namespace clers::internal {
@@ -90,6 +91,9 @@ Expected<Done> finish_integers(const AttributeHeader& header, const Numbers& num
   }
   if (header.coder == Coder::charts)
     return decode_charts<Int>(coded, at, numbers.axes, along, lattice.rows);
+  if (header.coder == Coder::weights)
+    return decode_weights<Int>(coded, at, numbers, surface_of(header, lattice.count(), along),
+                               lattice.rows);
   const CodedSurface& surface = along.surface;
   if (header.coder == Coder::mixed) return decode_mixed(coded, at, surface, lattice);
   if (header.coder == Coder::sized) return decode_sized_positions(coded, at, surface, lattice);
@@ -209,6 +213,8 @@ AttributeMemory decoding_memory(std::span<const std::byte> bytes, const Attribut
   const std::uint64_t coding =
       header.coder == Coder::named
           ? named_values_memory(count, header.attribute.components, surface.vertices)
+      : header.coder == Coder::weights
+          ? weights_memory(count, header.attribute.components, surface.vertices)
       : header.coder == Coder::normals ? normals_memory(count, surface.positions)
       : header.coder == Coder::charts  ? charts_memory(count, surface.positions)
       : header.coder == Coder::sized

@@ -16,6 +16,7 @@
 #include "codec/attributes/ordered_integers.h"
 #include "codec/attributes/planes.h"
 #include "codec/attributes/sized_positions.h"
+#include "codec/attributes/weights.h"
 #include "codec/numbers/number_encoder.h"
 #include "codec/numbers/ranks.h"
 
@@ -116,6 +117,9 @@ class AttributeEncoder {
                                              header_.coded_domain()));
     if (!is_position && level_ >= 5 && of_vertices() && attribute_.components == 2)
       take(Coder::charts, encode_charts(lattice, along_, level_));
+    if (!is_position && level_ >= 5 && of_vertices() && may_be_weights(numbered.numbers) &&
+        look_like_weights<Int>(rows, numbered.numbers))
+      take(Coder::weights, encode_weights<Int>(rows, numbered.numbers, along_));
     if (is_position && level_ == 9) take(Coder::mixed, encode_mixed(surface_, lattice));
     if (is_position && level_ >= 7)
       take(Coder::sized, encode_sized_positions(surface_, lattice, VisitOrder::parallelograms));

@@ -33,12 +33,13 @@ enum class Coder : std::uint8_t {
   named = 5,    ///< anything else by contexts of sizes (levels 5 to 9)
   charts = 6,   ///< texture coordinates by the shape of the surface (levels 5 to 9)
   normals = 7,  ///< directions by formulas of the geometry (levels 5 to 9)
+  weights = 8,  ///< parts of a whole (levels 5 to 9)
 };
-inline constexpr unsigned coder_count = 8;
+inline constexpr unsigned coder_count = 9;
 
 constexpr const char* name(Coder c) {
-  constexpr const char* names[coder_count] = {"words", "planes", "ordered", "sized",
-                                              "mixed", "named",  "charts",  "normals"};
+  constexpr const char* names[coder_count] = {"words", "planes", "ordered", "sized",  "mixed",
+                                              "named", "charts", "normals", "weights"};
   return names[static_cast<unsigned>(c)];
 }
 
@@ -103,7 +104,7 @@ inline Along along(const AttributeHeader& header) {
 
 /// Whether values are predicted from the positions of vertices, which must be decoded before.
 inline bool needs_position(const AttributeHeader& header) {
-  return header.coder > Coder::named;
+  return header.coder == Coder::charts || header.coder == Coder::normals;
 }
 
 /// What a report says of it, by the header alone.

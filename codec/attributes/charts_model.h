@@ -261,7 +261,7 @@ class ChartsModel {
     std::uint64_t low = 0;
     if constexpr (Coder::encodes) {
       r = ((std::int64_t(value) - nearest) ^ below) - below;
-      low = low_bits(r, context.width);
+      low = place_in_bin(r, context.width);
       coder.bits(context.width, low);
     } else {
       low = coder.bits(context.width, 0, 0)[0];

@@ -27,6 +27,8 @@ struct CodedFaces {
   std::span<const std::uint32_t> corners = {};  ///< the vertex of each corner of the mesh
   std::span<const std::uint32_t> sizes = {};    ///< corners of each face; empty: triangles
   std::uint32_t vertices = 0;
+  /// Which value of the position each vertex has; empty: its own (points.h).
+  std::span<const std::uint32_t> place_of = {};
 
   std::uint32_t corner(std::size_t h) const {
     return corner_of.empty() ? static_cast<std::uint32_t>(h) : corner_of[h];

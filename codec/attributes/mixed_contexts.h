@@ -24,7 +24,7 @@ namespace clers::internal {
 ///     first; and what is below as plain bits
 class MixedContexts {
  public:
-  static constexpr unsigned tables = 7;
+  static constexpr unsigned tables = 4;
 
   /// How many contexts each table has, and how many sets of weights there are.
   MixedContexts(const std::array<std::uint32_t, tables>& contexts, unsigned sets)
@@ -74,7 +74,7 @@ class MixedContexts {
 
  private:
   static constexpr unsigned most_length = 62;
-  static constexpr unsigned lengths = 16;   ///< with decisions of their own
+  static constexpr unsigned lengths = 16;  ///< with decisions of their own
   static constexpr unsigned own_bits = 7;  ///< lengths with bits of their own
   static constexpr unsigned zero = 0, sign = 1, longer = 2, next = longer + lengths,
                             decisions = next + 3 * (own_bits - 1);
@@ -87,14 +87,13 @@ class MixedContexts {
     std::uint16_t seen = 0;
   };
   struct Weights {
-    alignas(16) std::array<std::int32_t, 8> of = {first, first, first, first,
-                                                  first, first, first, 0};
-    static constexpr std::int32_t first = mixer::one / 28 * 5;
+    alignas(16) std::array<std::int32_t, 8> of = {first, first, first, first};
+    static constexpr std::int32_t first = mixer::one / 16 * 5;
   };
 
   template <class Coder>
   bool decide(Coder& coder, unsigned decision, bool value) {
-    alignas(16) std::array<std::int16_t, 8> said;
+    alignas(16) std::array<std::int16_t, 8> said = {};
     for (unsigned i = 0; i < tables; ++i)
       said[i] = static_cast<std::int16_t>(
           logistic.stretch(static_cast<std::uint32_t>(at_[i][decision].share) << 6));

@@ -1,6 +1,7 @@
 #include "codec/attributes/normal_formula.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -25,8 +26,10 @@ std::vector<Vector3> whole_places(const Attribute& position) {
   }
   if (most == 0) return places;
   const int e = 49 - std::ilogb(most);
+  // Where the power is a number, a product is as good.
+  const double power = e <= 1000 ? std::scalbn(1., e) : 0;
   for (Vector3& place : places)
-    for (double& x : place) x = std::trunc(std::scalbn(x, e));
+    for (double& x : place) x = std::trunc(power > 0 ? x * power : std::scalbn(x, e));
   return places;
 }
 
@@ -80,17 +83,19 @@ void FormulaNormals::add_triangles() {
   }
 }
 
-bool FormulaNormals::at(std::uint32_t value, Vector3& normal) const {
+bool FormulaNormals::at(std::uint32_t value, Vector3& normal, Shape& shape) const {
   const std::uint32_t g = group(value);
   if (g >= sums_.size()) return false;
-  normal = sums_[g].normal;
-  const double length = std::sqrt(dot(normal, normal));
+  const Sum& sum = sums_[g];
+  const double length = std::sqrt(dot(sum.normal, sum.normal));
   // What is left of normals that cancel is rounding.
-  if (!(length > sums_[g].weight * 0x1p-40)) return false;
-  for (double& x : normal) {
-    if (formula_.unit) x /= length;
-    if (formula_.inward) x = -x;
-  }
+  if (!(length > sum.weight * 0x1p-40)) return false;
+  double scale = 1;
+  if (formula_.unit) scale = length;
+  if (formula_.inward) scale = -scale;
+  for (std::size_t c = 0; c < 3; ++c) normal[c] = sum.normal[c] / scale;
+  shape.bent = static_cast<unsigned>(std::max(0., (1 - length / sum.weight) * 256));
+  shape.size = static_cast<int>(std::bit_cast<std::uint64_t>(sum.area) >> 52 & 2047) - 1023;
   return true;
 }
 
@@ -104,14 +109,6 @@ bool FormulaNormals::has_places(const Attribute& position) {
 std::uint64_t FormulaNormals::memory(std::uint64_t values, std::uint64_t vertices) {
   return (sizeof(Vector3) + 2 * sizeof(std::uint32_t)) * vertices +
          sizeof(Sum) * std::max(values, vertices);
-}
-
-FormulaNormals::Shape FormulaNormals::shape_at(std::uint32_t value) const {
-  const std::uint32_t g = group(value);
-  if (g >= sums_.size() || sums_[g].weight == 0) return {};
-  const Vector3& n = sums_[g].normal;
-  const double flat = std::sqrt(dot(n, n)) / sums_[g].weight;
-  return {static_cast<unsigned>(std::max(0., (1 - flat) * 256)), std::ilogb(sums_[g].area)};
 }
 
 }  // namespace clers::internal

@@ -62,16 +62,19 @@ class FormulaNormals {
   /// around places a sort.
   FormulaNormals(const ValueSurface& along, std::size_t values, const NormalFormula& formula);
 
-  /// False if the value has none: it is in no triangle, those around it have no area, or cancel.
-  bool at(std::uint32_t value, Vector3& normal) const;
-
   /// How much the sum of the triangles around a value is shorter than the sum of their lengths:
   /// 0 where they lie in a plane, in 1 / 256, and how large they are: the exponent of their area.
   struct Shape {
     unsigned bent = 0;
     int size = 0;
   };
-  Shape shape_at(std::uint32_t value) const;
+
+  /// False if the value has none: it is in no triangle, those around it have no area, or cancel.
+  bool at(std::uint32_t value, Vector3& normal) const {
+    Shape shape;
+    return at(value, normal, shape);
+  }
+  bool at(std::uint32_t value, Vector3& normal, Shape& shape) const;
 
   /// Whether several vertices are at one place. Cost: a sort.
   static bool has_places(const Attribute& position);

@@ -68,16 +68,23 @@ class NormalExpectation {
   NormalExpectation(const FormulaNormals& formula, std::size_t values)
       : formula_(formula), opposite_(values) {}
 
-  /// What value v is expected to be, and which kind of expectation it is: 0 by the formula, 1 by
-  /// the value before.
+  /// What value v is expected to be, and which kind of expectation it is: 0 by the formula, or what
+  /// a neighbour for which it gives the same is; 1 by the value before.
   template <class Known>
   unsigned expect(std::uint32_t v, const Nearby& nearby, Vector3& normal, const Known& known) {
     away_ = false;
-    if (formula_.at(v, normal)) {
+    shape_ = {};
+    if (formula_.at(v, normal, shape_)) {
+      if (nearby.count == 0) return 0;
+      const std::uint32_t u = nearby.around[0];
       // Faces that were turned for coding have their normals on the other side.
-      away_ = nearby.count > 0 && opposite_[nearby.around[0]];
-      if (away_)
+      away_ = opposite_[u];
+      if (is_same(u, normal)) {
+        const Vector3 there = known(u);
+        if (dot(there, there) > 0) normal = there;
+      } else if (away_) {
         for (double& x : normal) x = -x;
+      }
       return 0;
     }
     normal = {0, 0, 1};
@@ -88,47 +95,52 @@ class NormalExpectation {
   void learn(std::uint32_t v, const Vector3& expected, const Vector3& normal) {
     opposite_[v] = (dot(expected, normal) < 0) != away_;
   }
-  FormulaNormals::Shape shape_at(std::uint32_t v) const { return formula_.shape_at(v); }
+  /// Of the triangles around the value that is expected.
+  FormulaNormals::Shape shape() const { return shape_; }
 
   static std::uint64_t memory(std::uint64_t values) { return values; }
 
  private:
+  /// Whether the formula gives value u this normal: the same face mostly, or the same plane. Then
+  /// its value was the same, too.
+  bool is_same(std::uint32_t u, const Vector3& normal) const {
+    Vector3 there;
+    return formula_.at(u, there) && std::fabs(there[0] - normal[0]) < 0x1p-40 &&
+           std::fabs(there[1] - normal[1]) < 0x1p-40 && std::fabs(there[2] - normal[2]) < 0x1p-40;
+  }
+
   const FormulaNormals& formula_;
   std::vector<std::uint8_t> opposite_;
+  FormulaNormals::Shape shape_;
   bool away_ = false;
 };
 
 /// Contexts of what a residual may be: how far off what is near it was, how bent and how large the
 /// triangles are, where between two integers the prediction is, and the components before.
 struct NormalContexts {
-  static constexpr unsigned components = 3, sizes = 40, areas = 64, bends = 10, parts = 17,
+  static constexpr unsigned components = 3, sizes = 16, areas = 64, bends = 10, parts = 17,
                             others = 12, sides = 20;
   static constexpr std::array<std::uint32_t, MixedContexts::tables> counts = {
-      components * sizes * 4,           components* areas* bends, components* parts * 16,
-      components * 2 * others* parts,   components* sides* sides, components* parts* parts,
-      components* sizes / 2 * bends * 3};
+      components * areas * bends, components* parts* sizes, components * 2 * others* parts,
+      components* sides* sides};
 
   unsigned component = 0;
   unsigned expected = 0;                  ///< size, in quarter octaves
   std::array<unsigned, 2> near = {0, 0};  ///< what the ends of the gate were off
   FormulaNormals::Shape shape;
-  unsigned part = 0, other_part = 0;
+  unsigned part = 0;
   unsigned before = 0;  ///< size of the component before this
   bool before_negative = false;
 
   std::array<std::uint32_t, MixedContexts::tables> of_tables() const {
-    const unsigned size = std::min(expected, sizes - 1),
+    const unsigned size = std::min(expected / 2, sizes - 1),
                    area = static_cast<unsigned>(std::clamp(shape.size - 40, 0, int(areas) - 1)),
                    bend = std::min(static_cast<unsigned>(std::bit_width(shape.bent)), bends - 1),
                    other = std::min(before > 5 ? 5 + (before - 5) / 2 : before, others - 1);
     return {
-        (component * sizes + size) * 4 + std::min(other / 3, 3u),
-        (component * areas + area) * bends + bend,
-        (component * parts + part) * 16 + std::min(size / 2, 15u),
+        (component * areas + area) * bends + bend, (component * parts + part) * sizes + size,
         ((component * 2 + before_negative) * others + other) * parts + part,
-        (component * sides + std::min(near[0], sides - 1)) * sides + std::min(near[1], sides - 1),
-        (component * parts + part) * parts + other_part,
-        (component * (sizes / 2) + size / 2) * (bends * 3) + bend * 3 + std::min(other / 4, 2u)};
+        (component * sides + std::min(near[0], sides - 1)) * sides + std::min(near[1], sides - 1)};
   }
   /// Where a number is beside the integer that is nearest, in eighths.
   static unsigned part_of(double off) {
@@ -172,14 +184,13 @@ class OctahedralNormals {
     context.expected = expected_size(nearby, sizes_, 20);
     for (std::size_t i = 0; i < 2; ++i)
       context.near[i] = nearby.count > i ? std::min<unsigned>(sizes_[nearby.around[i]], 18) : 19;
-    context.shape = expectation_.shape_at(v);
+    context.shape = expectation_.shape();
     const std::array<unsigned, 2> parts = {part(frame, on, p, 0), part(frame, on, p, 1)};
     std::array<std::int32_t, 2> place;
     std::uint64_t off = 0;
     for (unsigned i = 0; i < 2; ++i) {
       context.component = i;
       context.part = parts[i];
-      context.other_part = parts[1 - i];
       contexts_.set(context.of_tables(), 2 * kind + i);
       const std::int64_t r = contexts_.code(coder_, given[i] - expected[i]);
       if (r < -grid_.size() - expected[i] || r > grid_.size() - expected[i]) return false;
@@ -195,7 +206,7 @@ class OctahedralNormals {
     for (std::size_t i = 0; i < 2; ++i)
       rows_[2 * std::size_t(v) + i] = static_cast<Int>(integers[i]);
     sizes_[v] = static_cast<std::uint8_t>(quarters_of(off));
-    expectation_.learn(v, normal, OctahedralGrid::direction(actual));
+    expectation_.learn(v, normal, {double(actual[0]), double(actual[1]), double(actual[2])});
     return true;
   }
 
@@ -273,7 +284,7 @@ class NumberedNormals {
         std::swap(axis[j], axis[j - 1]);
     NormalContexts context;
     const unsigned around = expected_size(nearby, sizes_, 4 * 200);
-    context.shape = expectation_.shape_at(v);
+    context.shape = expectation_.shape();
     Vector3 actual = {};
     unsigned largest = 0, off = 0;
     for (unsigned i = 0; i < 3; ++i) {
@@ -297,7 +308,6 @@ class NumberedNormals {
         context.near[j] =
             nearby.count > j ? std::min(in_steps(sizes_[nearby.around[j]]) / 2, 18u) : 19;
       context.part = step > 0 ? NormalContexts::part_of((x - here) / step) : 8;
-      context.other_part = std::min(length / 4 % 17, 16u);
       contexts_.set(context.of_tables(), 3 * kind + i);
       const auto predicted = static_cast<std::int64_t>(k);
       const std::int64_t r = contexts_.code(

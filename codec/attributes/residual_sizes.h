@@ -39,7 +39,7 @@ struct ResidualContext {
 };
 
 /// Where in its bin a residual is.
-CLERS_ALWAYS_INLINE std::uint64_t low_bits(std::int64_t r, unsigned width) {
+CLERS_ALWAYS_INLINE std::uint64_t place_in_bin(std::int64_t r, unsigned width) {
   const std::uint64_t size = std::uint64_t(1) << width;
   return (static_cast<std::uint64_t>(r) + (size >> 1)) & (size - 1);
 }

@@ -250,7 +250,7 @@ class SizedModel {
     if constexpr (Coder::encodes) {
       r = steps_.difference(i, std::int64_t(value), nearest);
       r = (r ^ below) - below;
-      low = low_bits(r, context.width);
+      low = place_in_bin(r, context.width);
       coder.bits(context.width, low);
     }
     valid_ &= residuals_.code(coder, lane, context, near, low, r);

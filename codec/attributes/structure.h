@@ -83,8 +83,10 @@ inline ValueArrays make_value_surface(const CodedFaces& faces, Domain domain,
   out.vertex_of.resize(values);
   for (std::size_t e = structure.value_of.size(); e-- > 0;)
     if (structure.value_of[e] != no_value)
-      out.vertex_of[structure.value_of[e]] =
-          domain == Domain::corner ? faces.corners[e] : static_cast<std::uint32_t>(e);
+      out.vertex_of[structure.value_of[e]] = domain == Domain::corner ? faces.corners[e]
+                                             : faces.place_of.empty()
+                                                 ? static_cast<std::uint32_t>(e)
+                                                 : faces.place_of[e];
   bool elsewhere = false;
   for (std::size_t h = 0; h < whole.corners.size(); ++h)
     elsewhere |= value(h) != no_value && out.vertex_of[value(h)] != whole.corners[h];

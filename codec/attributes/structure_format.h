@@ -20,14 +20,15 @@ enum class Sharing : std::uint8_t {
 };
 inline constexpr unsigned sharing_count = 3;
 
-/// Without a structure there is one value an element, in order.
+/// Without a structure there is one value an element, in order; or one a place (points.h).
 struct StructureHeader {
   bool any = false;
-  bool indexed = false;   ///< elements have values by index (Attribute::indices)
-  bool missing = false;   ///< some elements have none
-  bool beside = false;    ///< seams are in the context of those of an earlier attribute
-  bool numbered = false;  ///< values have the numbers of the input
-  bool apart = false;     ///< by index: each element has a value of its own, though many are equal
+  bool at_places = false;  ///< vertices at one place have one value; no structure
+  bool indexed = false;    ///< elements have values by index (Attribute::indices)
+  bool missing = false;    ///< some elements have none
+  bool beside = false;     ///< seams are in the context of those of an earlier attribute
+  bool numbered = false;   ///< values have the numbers of the input
+  bool apart = false;      ///< by index: each element has a value of its own, though many are equal
   Sharing sharing = Sharing::none;
   std::uint64_t values = 0;    ///< that are coded
   std::uint64_t unused = 0;    ///< of them, the last: no element has them
@@ -37,7 +38,7 @@ struct StructureHeader {
 
   /// The bits that say of an attribute what it has, above those of its domain.
   std::uint32_t bits() const {
-    if (!any) return 0;
+    if (!any) return at_places ? 8 : 0;
     return 4u | unsigned(indexed) << 3 | unsigned(missing) << 4 | unsigned(beside) << 5 |
            static_cast<std::uint32_t>(sharing) << 6;
   }
@@ -55,7 +56,8 @@ struct StructureHeader {
 
   void read(ByteReader& in, std::uint32_t bits) {
     any = bits & 4;
-    indexed = bits >> 3 & 1;
+    at_places = !any && bits & 8;
+    indexed = any && bits & 8;
     missing = bits >> 4 & 1;
     beside = bits >> 5 & 1;
     sharing = static_cast<Sharing>(bits >> 6);
@@ -75,7 +77,9 @@ struct StructureHeader {
   /// What keeps an attribute of a domain from having this; empty: nothing.
   std::string fault(Domain domain, std::uint32_t bits) const {
     const char* const none = "an attribute of no structure that is known";
-    if (!any) return bits >> 2 == 0 ? "" : none;
+    if (!any)
+      return bits >> 2 == (at_places ? 2u : 0u) && (!at_places || domain == Domain::vertex) ? ""
+                                                                                            : none;
     if (bits >> 6 >= sharing_count || (beside && domain != Domain::corner)) return none;
     if (!indexed && (missing || sharing == Sharing::equal ||
                      (sharing == Sharing::none && domain != Domain::corner)))
@@ -90,6 +94,7 @@ struct StructureHeader {
 
   /// For people: AttributeInfo::structure.
   std::string in_words(Domain domain) const {
+    if (at_places) return "welded";
     std::string words;
     const auto add = [&](bool what, const char* word) {
       if (what) words += (words.empty() ? "" : ", ") + std::string(word);

@@ -8,6 +8,7 @@
 #ifndef CLERS_CODEC_ATTRIBUTES_WEDGES_H
 #define CLERS_CODEC_ATTRIBUTES_WEDGES_H
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -62,10 +63,11 @@ class WedgeCoder {
   std::vector<std::uint32_t> take_corners() { return std::move(corner_of_); }
 
  private:
-  static constexpr unsigned most_offered = 4;  ///< so that hubs cost no more
+  static constexpr unsigned most_offered = 32;  ///< so that hubs cost no more
+  static constexpr unsigned ranks = 6;
 
   struct SameModel {
-    BitModel bit[2][most_offered];
+    BitModel bit[2][ranks];
     bool last = false;
   };
 
@@ -75,7 +77,8 @@ class WedgeCoder {
     std::uint32_t& last = last_[faces_.corners[c]];
     std::uint32_t k = last;
     for (unsigned i = 0; k != no_index && i < most_offered; k = next_[k], ++i)
-      if (model.last = coder.bit(model.bit[model.last][i], Coder::encodes && same(corner(k), c));
+      if (model.last = coder.bit(model.bit[model.last][std::min(i, ranks - 1)],
+                                 Coder::encodes && same(corner(k), c));
           model.last)
         return k;
     if (next_.size() == most_) return no_index;

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <new>
 #include <span>
 #include <string>
@@ -24,11 +25,21 @@ inline std::size_t zstd_result(std::size_t result) {
   return result;
 }
 
-/// Errors: internal.
+/// The same bytes on every machine. Left alone, zstd chooses how it looks for matches by whether it
+/// was built with vectors, which it is not for 32-bit x86. Errors: internal.
 inline Expected<Bytes> pack_frame(std::span<const std::byte> data, int zstd_level) {
+  const std::unique_ptr<ZSTD_CCtx, std::size_t (*)(ZSTD_CCtx*)> context(ZSTD_createCCtx(),
+                                                                        ZSTD_freeCCtx);
+  if (!context) throw std::bad_alloc();
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, zstd_level);
+#if ZSTD_VERSION_NUMBER >= 10500
+  constexpr int in_rows = 1, in_chains = 2;
+  const bool large = data.size() > 1 << 14;  // as with vectors
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_experimentalParam14, large ? in_rows : in_chains);
+#endif
   Bytes out(ZSTD_compressBound(data.size()));
   const std::size_t size =
-      zstd_result(ZSTD_compress(out.data(), out.size(), data.data(), data.size(), zstd_level));
+      zstd_result(ZSTD_compress2(context.get(), out.data(), out.size(), data.data(), data.size()));
   if (ZSTD_isError(size))
     return fail(ErrorCode::internal, std::string("zstd failed: ") + ZSTD_getErrorName(size));
   out.resize(size);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "codec/attributes/coded_faces.h"
+#include "codec/attributes/points.h"
 #include "codec/attributes/structure.h"
 #include "codec/attributes/structure_decoder.h"
 #include "codec/base/budget.h"
@@ -34,12 +35,27 @@ struct DecodedFaces {
   std::vector<HalfEdge> twins;               ///< likewise
   std::vector<ReversedRun> reversed;
   ConnectivityCounts counts;
+  // Of welded vertices:
+  std::vector<std::uint32_t> welded;  ///< corners, before they were those of points
+  std::vector<std::uint32_t> corner_of;
+  Points points;
 
   CodedSurface surface() const {
-    return {triangles.empty() ? std::span(mesh.corners).first(surface_corners) : triangles, twins,
+    const std::vector<std::uint32_t>& corners = welded.empty() ? mesh.corners : welded;
+    return {triangles.empty() ? std::span(corners).first(surface_corners) : triangles, twins,
             introduced_by};
   }
 };
+
+/// Which corners of faces those of the surface are; empty: the same numbers.
+std::vector<std::uint32_t> corners_of_surface(const PieceSections& sections, const Mesh& mesh,
+                                              std::size_t corners) {
+  if (sections.features == feature::raw)
+    return mesh.triangles_only() ? std::vector<std::uint32_t>()
+                                 : corners_of_fans(mesh.face_sizes, corners);
+  return sections.features & feature::polygons ? corners_of_polygons(mesh.face_sizes, corners)
+                                               : std::vector<std::uint32_t>();
+}
 
 /// Decodes the triangles of the surface, by vertices of the mesh but for polygons and reversed
 /// faces.
@@ -78,7 +94,7 @@ Expected<DecodedSurface> decode_surface(const PieceSections& sections,
 
 /// The most that the values of a piece are decoded along.
 Along decoded_along(const PieceSections& sections, Values values) {
-  Along most = Along::nothing;
+  Along most = sections.is_welded() ? Along::twins : Along::nothing;
   if (values == Values::decode)
     for (const PieceSections::AttributeSection& a : sections.attributes)
       most = std::max(most, along(a.header));
@@ -139,10 +155,20 @@ Expected<DecodedFaces> decode_faces(const PieceSections& sections, Along along_w
     ok = append_folded(sections.folded, along, sizes, corners);
   if (ok && sections.features & feature::degenerate)
     ok = append_degenerate(sections.degenerate, along,
-                           static_cast<std::uint32_t>(sections.surface_vertices), mesh.vertex_count,
-                           sizes, corners);
+                           static_cast<std::uint32_t>(sections.surface_vertices),
+                           static_cast<std::uint32_t>(sections.places), sizes, corners);
   if (!ok) return Failure{ok.error()};
   drop_sizes_of_triangles(mesh);
+  if (!sections.is_welded()) return result;
+  result.welded = std::move(mesh.corners);
+  const CodedSurface welded = result.surface();
+  result.corner_of = corners_of_surface(sections, mesh, welded.corners.size());
+  auto points =
+      decode_points(sections.points, {welded, result.corner_of, result.welded, mesh.face_sizes,
+                                      static_cast<std::uint32_t>(sections.places)});
+  if (!points) return Failure{points.error()};
+  result.points = std::move(*points);
+  mesh.corners = result.points.structure.value_of;
   return result;
 }
 
@@ -190,6 +216,7 @@ ValuesMemory memory_of(const PieceSections& s, const PieceSections::AttributeSec
   if (!a.decoded) return {found, sharing};
   ValuesMemory out{std::max(memory.begun, result) + sizeof(Expected<BegunAttribute>),
                    std::max(memory.beginning, result + memory.finishing)};
+  if (a.places > 0) out.held += a.places * a.header.attribute.stride();
   if (!structure.any) return out;
   const std::uint64_t coded = values * a.header.attribute.stride();
   out.held += found;
@@ -199,11 +226,12 @@ ValuesMemory memory_of(const PieceSections& s, const PieceSections::AttributeSec
 }
 
 /// What the faces take once more, as values of corners are coded along them.
-std::uint64_t coded_faces_memory(const PieceSections& s) {
-  for (const PieceSections::AttributeSection& a : s.attributes)
-    if (a.header.structure.any && a.header.attribute.domain == Domain::corner)
-      return s.features & (feature::polygons | feature::raw) ? each * half_edges(s) : 0;
-  return 0;
+std::uint64_t corner_map_memory(const PieceSections& s, Values values) {
+  bool needed = s.is_welded();
+  if (values == Values::decode)
+    for (const PieceSections::AttributeSection& a : s.attributes)
+      needed |= a.header.structure.any && a.header.attribute.domain == Domain::corner;
+  return needed && s.features & (feature::polygons | feature::raw) ? each * half_edges(s) : 0;
 }
 
 }  // namespace
@@ -239,20 +267,29 @@ PieceMemory memory_of(const PieceSections& s, Values values) {
                                                    : 0)});
   }
   memory.values = memory.result + runs + (raw || polygons ? triangles : 0);
-  if (values == Values::decode) {
-    const Along along = decoded_along(s, values);
-    std::uint64_t held = (sizeof(Expected<BegunAttribute>) + sizeof(ValueStructure) +
-                          sizeof(std::size_t) + sizeof(Expected<Done>)) *
-                             s.attributes.size() +
-                         coded_faces_memory(s);
-    if (along != Along::nothing)
-      held += each * (raw ? s.corners > 0 ? s.vertices : 0 : s.connectivity.vertices);
+  const std::uint64_t map = corner_map_memory(s, values);
+  if (s.is_welded()) {
+    const std::uint64_t points =
+        each * s.corners + s.points.memory(s.corners, s.places, half_edges(s));
+    memory.faces = std::max(memory.faces, memory.result + runs + triangles + points);
+    memory.values += points + value_surface_memory(half_edges(s), true, s.vertices);
+  }
+  memory.faces += map;
+  memory.values += map;
+  if (const Along along = decoded_along(s, values); along != Along::nothing) {
+    std::uint64_t held = each * (raw ? s.corners > 0 ? s.vertices : 0 : s.connectivity.vertices);
     if (along == Along::twins) {
-      const std::uint64_t twins = sizeof(HalfEdge) * 3 * s.connectivity.faces;
-      held += twins;
+      held += sizeof(HalfEdge) * 3 * s.connectivity.faces;
       memory.faces +=
           connectivity_memory(s.connectivity, true) - connectivity_memory(s.connectivity, false);
     }
+    memory.faces += held;
+    memory.values += held;
+  }
+  if (values == Values::decode) {
+    std::uint64_t held = (sizeof(Expected<BegunAttribute>) + sizeof(ValueStructure) +
+                          sizeof(std::size_t) + sizeof(Expected<Done>)) *
+                         s.attributes.size();
     memory.faces += held;
     memory.values += held;
     std::uint64_t most = 0;
@@ -331,38 +368,58 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
   Mesh& mesh = result.mesh;
   mesh.attributes.resize(attributes);
 
-  // Which elements have which values; each may need to know it of the one before.
-  std::vector<std::uint32_t> corner_of;
-  if (attributes > 0 && coded_faces_memory(sections) > 0) {
-    if (sections.features != feature::raw)
-      corner_of = corners_of_polygons(mesh.face_sizes, surface.corners.size());
-    else if (!mesh.triangles_only())
-      corner_of = corners_of_fans(mesh.face_sizes, surface.corners.size());
+  // Which elements have which values; each may need to know it of the one before. Values of
+  // vertices are coded along a surface of their own where those of the surface are welded.
+  if (corner_map_memory(sections, values) > 0 && decoded->corner_of.empty())
+    decoded->corner_of = corners_of_surface(sections, mesh, surface.corners.size());
+  const bool welded = sections.is_welded();
+  const CodedFaces faces{surface, decoded->corner_of,
+                         welded ? std::span<const std::uint32_t>(decoded->welded) : mesh.corners,
+                         mesh.face_sizes, static_cast<std::uint32_t>(sections.places)};
+  CodedFaces of_vertices = faces;
+  ValueArrays of_points;
+  if (welded && attributes > 0) {
+    of_points =
+        make_value_surface(faces, Domain::corner, decoded->points.structure, mesh.vertex_count);
+    of_vertices.surface = of_points.surface.view();
+    of_vertices.vertices = mesh.vertex_count;
+    of_vertices.place_of = decoded->points.place_of;
   }
-  const CodedFaces faces{surface, corner_of, mesh.corners, mesh.face_sizes, mesh.vertex_count};
   std::vector<ValueStructure> structures(attributes);
-  const Seams* beside = nullptr;
+  const Seams* beside = welded ? &decoded->points.structure.seams : nullptr;
   for (std::size_t i = 0; i < attributes; ++i) {
     const PieceSections::AttributeSection& a = sections.attributes[i];
     if (!a.header.structure.any) continue;
     const Domain domain = a.header.attribute.domain;
-    auto structure = decode_structure(a.header.structure, faces, domain, beside);
+    auto structure = decode_structure(
+        a.header.structure, domain == Domain::vertex ? of_vertices : faces, domain, beside);
     if (!structure) return Failure{structure.error()};
     structures[i] = std::move(*structure);
     if (domain == Domain::corner) beside = &structures[i].seams;
   }
 
   // Positions first: others may be predicted from them.
+  const PieceSections::AttributeSection* first_position = nullptr;
+  for (std::size_t i = attributes; i-- > 0;) {
+    const PieceSections::AttributeSection& a = sections.attributes[i];
+    if (a.decoded && a.header.attribute.domain == Domain::vertex &&
+        a.header.attribute.name == position_name && !a.header.structure.any)
+      first_position = &a;
+  }
   const Attribute* position = nullptr;
+  Attribute at_welded;
   const auto finish = [&](std::size_t i) -> Expected<Done> {
     const PieceSections::AttributeSection& a = sections.attributes[i];
+    const CodedFaces& along_faces =
+        a.header.attribute.domain == Domain::vertex && a.places == 0 ? of_vertices : faces;
     ValueStructure structure = std::move(structures[i]);
     ValueArrays arrays;
     if (a.header.structure.any)
-      arrays = make_value_surface(faces, a.header.attribute.domain, structure,
+      arrays = make_value_surface(along_faces, a.header.attribute.domain, structure,
                                   static_cast<std::size_t>(a.values()));
     const ValueSurface values_along =
-        a.header.structure.any ? arrays.view(position) : ValueSurface{surface, {}, position};
+        a.header.structure.any ? arrays.view(position)
+                               : ValueSurface{along_faces.surface, along_faces.place_of, position};
     auto attribute =
         finish_attribute(a.bytes, a.at, a.header, a.values(), std::move(*begun[i]), values_along);
     if (!attribute) return Failure{attribute.error()};
@@ -372,22 +429,26 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
               spread_values(a.header.structure, a.at, std::move(structure.value_of), *attribute);
           !ok)
         return ok;
+    if (a.places > 0) {
+      if (&a == first_position) {
+        at_welded = *attribute;
+        position = &at_welded;
+      }
+      attribute->data = at_places(decoded->points.place_of, attribute->data, attribute->stride());
+    }
     mesh.attributes[i] = std::move(*attribute);
+    if (&a == first_position && a.places == 0) position = &mesh.attributes[i];
     return Done{};
   };
+  if (first_position != nullptr)
+    if (auto ok = finish(static_cast<std::size_t>(first_position - sections.attributes.data()));
+        !ok)
+      return Failure{ok.error()};
   std::vector<std::size_t> others;
   others.reserve(attributes);
-  for (std::size_t i = 0; i < attributes; ++i) {
-    const Attribute& a = sections.attributes[i].header.attribute;
-    if (!sections.attributes[i].decoded) continue;
-    if (position == nullptr && a.domain == Domain::vertex && a.name == position_name &&
-        !sections.attributes[i].header.structure.any) {
-      if (auto ok = finish(i); !ok) return Failure{ok.error()};
-      position = &mesh.attributes[i];
-    } else {
+  for (std::size_t i = 0; i < attributes; ++i)
+    if (sections.attributes[i].decoded && &sections.attributes[i] != first_position)
       others.push_back(i);
-    }
-  }
   std::vector<Expected<Done>> finished(others.size(), Done{});
   for_each_item(others.size(), workers,
                 [&](std::size_t i, unsigned) { finished[i] = finish(others[i]); });

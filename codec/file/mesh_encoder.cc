@@ -13,6 +13,8 @@
 #include "codec/file/file_order.h"
 #include "codec/file/mesh_features.h"
 #include "codec/file/metadata.h"
+#include "codec/file/value_encoder.h"
+#include "codec/file/weld.h"
 #include "codec/soup/corner_map.h"
 #include "codec/soup/defects.h"
 #include "codec/soup/degenerate_faces.h"
@@ -26,19 +28,25 @@ namespace {
 
 class MeshEncoder {
  public:
+  /// `weld` must outlive this; nullptr: vertices stay as they are.
   MeshEncoder(const MeshView& mesh, const EncodeOptions& options,
-              std::span<const AttributePlan> plans)
+              std::span<const AttributePlan> plans, const Weld* weld = nullptr)
       : mesh_(mesh),
         options_(options),
         plans_(plans),
+        weld_(weld),
+        welded_corners_(welded(mesh, weld)),
+        vertices_(weld ? weld->count : mesh.vertex_count),
         all_(mesh.corners, mesh.face_sizes),
-        regular_(all_, mesh.face_sizes, mesh.vertex_count) {}
+        faces_(weld ? std::span<const std::uint32_t>(welded_corners_) : mesh.corners,
+               mesh.face_sizes),
+        regular_(faces_, mesh.face_sizes, vertices_) {}
 
   template <class Progress>
   Expected<Done> run(unsigned threads, const Progress& progress) {
     auto coded =
-        encode_surface(regular_.corners(), regular_.sizes(), mesh_.vertex_count, options_.level,
-                       wanted(), [&] { return raw_bytes() < 3 * mesh_.face_count() / 2; });
+        encode_surface(regular_.corners(), regular_.sizes(), vertices_, options_.level, wanted(),
+                       [&] { return !weld_ && raw_bytes() < 3 * mesh_.face_count() / 2; });
     if (!coded) return Failure{coded.error()};
     Bytes payload, kept_order;
     CodedArrays surface;
@@ -50,14 +58,17 @@ class MeshEncoder {
       number(*coded);
       surface = std::move(coded->surface);
       encode_degenerate_faces(surface.corners, order());
+      if (weld_ && !split(*coded, surface.view())) return Done{};
       payload = surface_payload(*coded);
       if (keep) {
         progress("order", 0.3);
         kept_order = encode_order(all_, order());
       }
-      if (keep || !coded->copies.empty()) raw = raw_if_smaller(payload.size() + kept_order.size());
+      if (!weld_ && (keep || !coded->copies.empty()))
+        raw = raw_if_smaller(payload.size() + kept_order.size());
     }
     describe(*coded);
+    result.has_boundary = coded->given_up || coded->counts.boundary_curves > 0;
     raw_ = raw.has_value();
     if (raw) {
       payload = std::move(*raw);
@@ -82,18 +93,24 @@ class MeshEncoder {
       put(SectionKind::name, Bytes(name.begin(), name.end()));
     }
     if (!kept_order.empty()) put(SectionKind::order, std::move(kept_order));
-    if (auto ok = attributes(surface.view(), coded->reversed_runs, !coded->polygons.empty(),
-                             threads, progress);
-        !ok)
-      return ok;
+    if (auto ok = attributes(*coded, surface.view(), threads, progress); !ok) return ok;
     if (keep) order() = identity(mesh_);
     return Done{};
   }
 
-  EncodedMesh result;
+  EncodedMesh result;  ///< no sections: vertices cannot be welded
 
  private:
+  static std::vector<std::uint32_t> welded(const MeshView& mesh, const Weld* weld) {
+    std::vector<std::uint32_t> corners;
+    if (weld == nullptr) return corners;
+    corners.reserve(mesh.corners.size());
+    for (const std::uint32_t v : mesh.corners) corners.push_back(weld->vertex_of[v]);
+    return corners;
+  }
+
   Wanted wanted() const {
+    if (weld_) return Wanted::surface_with_twins;
     for (const AttributeView a : mesh_.attributes)
       if (a.domain == Domain::corner ||
           (a.domain == Domain::vertex && options_.level >= first_level_with_twins))
@@ -112,12 +129,13 @@ class MeshEncoder {
     const std::pair<std::uint32_t, const EncodedStream*> streams[] = {
         {feature::reversed, &coded.reversed}, {feature::polygons, &coded.polygons},
         {feature::copies, &coded.copies},     {feature::repeats, &coded.repeats},
-        {feature::folded, &folded_stream_},   {feature::degenerate, &degenerate_stream_}};
+        {feature::folded, &folded_stream_},   {feature::degenerate, &degenerate_stream_},
+        {feature::welded, &points_.stream}};
     std::uint32_t features = 0;
     for (const auto& [bit, stream] : streams) features |= stream->empty() ? 0 : bit;
     Bytes payload;
     put_u8(payload, features);
-    put_varint(payload, mesh_.vertex_count - surface_vertices_);
+    put_varint(payload, vertices_ - surface_vertices_);
     for (const auto& [bit, stream] : streams)
       if (features & bit) stream->put(payload);
     put_bytes(payload, coded.connectivity);
@@ -151,10 +169,10 @@ class MeshEncoder {
   void number(EncodedSurface& coded) {
     order() = std::move(coded.order);
     surface_vertices_ = static_cast<std::uint32_t>(order().vertices.size());
-    if (surface_vertices_ < mesh_.vertex_count) {
-      std::vector<bool> used(mesh_.vertex_count);
+    if (surface_vertices_ < vertices_) {
+      std::vector<bool> used(vertices_);
       for (const std::uint32_t v : order().vertices) used[v] = true;
-      for (std::uint32_t v = 0; v < mesh_.vertex_count; ++v)
+      for (std::uint32_t v = 0; v < vertices_; ++v)
         if (!used[v]) order().vertices.push_back(v);
     }
     if (!regular_.degenerate().empty())
@@ -165,13 +183,13 @@ class MeshEncoder {
   /// appends them to the order.
   void encode_degenerate_faces(std::span<const std::uint32_t> triangles, Permutation& order) {
     if (regular_.degenerate().empty()) return;
-    std::vector<std::uint32_t> number(mesh_.vertex_count);
+    std::vector<std::uint32_t> number(vertices_);
     for (std::uint32_t i = 0; i < order.vertices.size(); ++i) number[order.vertices[i]] = i;
     const std::vector<std::uint32_t> others = encode_folded(
-        all_, regular_.degenerate(), number, triangles, surface_vertices_, order, folded_stream_);
+        faces_, regular_.degenerate(), number, triangles, surface_vertices_, order, folded_stream_);
     if (!others.empty())
-      degenerate_stream_ = encode_degenerate(all_, others, number, triangles, surface_vertices_,
-                                             mesh_.vertex_count, order);
+      degenerate_stream_ =
+          encode_degenerate(faces_, others, number, triangles, surface_vertices_, vertices_, order);
   }
 
   void describe(const EncodedSurface& coded) {
@@ -186,101 +204,57 @@ class MeshEncoder {
     info().polygon_bytes = coded.polygons.bytes.size();
     info().stitching_bytes = coded.reversed.bytes.size() + coded.copies.bytes.size() +
                              coded.repeats.bytes.size() + folded_stream_.bytes.size() +
-                             degenerate_stream_.bytes.size();
+                             degenerate_stream_.bytes.size() + points_.stream.bytes.size();
+    info().welded_vertices = mesh_.vertex_count - vertices_;
     result.counts = {count_reversed(coded.reversed_runs), in_word_order(coded.counts.symbols)};
   }
 
-  AttributePlan plan(std::size_t attribute) const {
-    return plans_.empty() ? AttributePlan{} : plans_[attribute];
+  /// The faces in their order, as values are coded along them.
+  void find_coded_faces(const EncodedSurface& coded, const CodedSurface& surface) {
+    permuted_ = permuted(faces_, order());
+    reverse_runs(permuted_.corners, permuted_.sizes, coded.reversed_runs);
+    if (!coded.polygons.empty())
+      corner_of_ = corners_of_polygons(permuted_.sizes, surface.corners.size());
+    else if (raw_ && !permuted_.sizes.empty())
+      corner_of_ = corners_of_fans(permuted_.sizes, surface.corners.size());
+  }
+  CodedFaces coded_faces(const CodedSurface& surface) const {
+    return {surface, corner_of_, permuted_.corners, permuted_.sizes, vertices_};
   }
 
-  /// The faces as values are coded along them.
-  struct Faces {
-    PermutedFaces faces;
-    std::vector<std::uint32_t> corner_of;
-    CodedFaces view;
-  };
-  Faces coded_faces(const CodedSurface& surface, std::span<const ReversedRun> reversed,
-                    bool polygons) {
-    Faces out;
-    out.view.surface = surface;
-    out.view.vertices = mesh_.vertex_count;
-    out.faces = permuted(all_, order());
-    reverse_runs(out.faces.corners, out.faces.sizes, reversed);
-    if (polygons)
-      out.corner_of = corners_of_polygons(out.faces.sizes, surface.corners.size());
-    else if (raw_ && !out.faces.sizes.empty())
-      out.corner_of = corners_of_fans(out.faces.sizes, surface.corners.size());
-    out.view.corner_of = out.corner_of;
-    out.view.corners = out.faces.corners;
-    out.view.sizes = out.faces.sizes;
-    return out;
+  /// Makes vertices of welded ones, and the order that of vertices. False: that cannot be.
+  bool split(const EncodedSurface& coded, const CodedSurface& surface) {
+    find_coded_faces(coded, surface);
+    std::vector<std::uint32_t> old, isolated, old_of(vertices_);
+    std::vector<bool> used(vertices_);
+    old.reserve(mesh_.corners.size());
+    for_each_corner(all_, order(), [&](std::uint32_t c) { old.push_back(mesh_.corners[c]); });
+    reverse_runs(old, permuted_.sizes, coded.reversed_runs);
+    for (const std::uint32_t v : welded_corners_) used[v] = true;
+    for (std::uint32_t v = 0; v < mesh_.vertex_count; ++v) old_of[weld_->vertex_of[v]] = v;
+    for (const std::uint32_t v : order().vertices)
+      if (!used[v]) isolated.push_back(old_of[v]);
+    points_ = encode_points(coded_faces(surface), old, isolated, mesh_.vertex_count);
+    if (points_.stream.empty()) return false;
+    order().vertices = points_.vertices;
+    return true;
   }
 
-  template <class Progress>
-  Expected<Done> attributes(const CodedSurface& surface, std::span<const ReversedRun> reversed,
-                            bool polygons, unsigned threads, const Progress& progress) {
-    const std::size_t count = mesh_.attributes.size();
-    const auto has_structure = [](const AttributeView& a) {
-      return a.domain == Domain::corner || !a.indices.empty();
-    };
-    const auto permute = [&](const AttributeView& a, const Faces& faces) {
-      Attribute moved = permuted(a, all_, order());
-      if (a.domain != Domain::corner) return moved;
-      if (a.indices.empty())
-        reverse_runs(moved.data, a.value_size(), faces.faces.sizes, reversed);
-      else
-        reverse_runs(moved.indices, faces.faces.sizes, reversed);
-      return moved;
-    };
-    // Which corners share values is found first: seams of one attribute are often those of others.
-    // Faces in their new order are needed by these alone.
-    Faces faces;
-    faces.view.surface = surface;
-    faces.view.vertices = mesh_.vertex_count;
-    std::vector<Attribute> permuted_ones(count);
-    std::vector<std::vector<EncodedStructure>> ways(count);
-    const Attribute* position = nullptr;
-    Seams beside;
-    for (std::size_t i = 0; i < count; ++i) {
-      const AttributeView a = mesh_.attributes[i];
-      const bool is_position =
-          position == nullptr && a.domain == Domain::vertex && a.name == position_name;
-      if (has_structure(a) && faces.view.corners.empty())
-        faces = coded_faces(surface, reversed, polygons);
-      if (!is_position && !has_structure(a)) continue;
-      permuted_ones[i] = permute(a, faces);
-      if (is_position) position = &permuted_ones[i];
-      if (is_position) continue;
-      const bool keep = options_.order == Order::keep && !a.indices.empty();
-      ways[i] = encode_structures(
-          permuted_ones[i], faces.view,
-          keep ? kept_numbering(a.indices, a.value_count()) : std::vector<std::uint32_t>(),
-          beside.empty() ? nullptr : &beside, options_.level);
-      // Where it is left open whether there are any, those after it do without.
-      if (a.domain == Domain::corner) beside = ways[i][0].structure.seams;
-    }
-    std::vector<Expected<EncodedAttribute>> coded(
-        count, fail(ErrorCode::internal, "an attribute is not encoded"));
-    for_each_item(count, threads, [&](std::size_t i, unsigned worker) {
-      const AttributeView a = mesh_.attributes[i];
-      if (worker == 0)
-        progress(a.name, 0.4 + 0.6 * static_cast<double>(i) / static_cast<double>(count));
-      if (ways[i].empty()) {
-        const Attribute own = &permuted_ones[i] == position ? Attribute() : permute(a, faces);
-        const Attribute& values = &permuted_ones[i] == position ? *position : own;
-        coded[i] = encode_attribute(values, {}, {surface, {}, position}, options_.level, plan(i));
-      } else {
-        coded[i] = encode_attribute(permuted_ones[i], std::move(ways[i]), faces.view, position,
-                                    options_.level, plan(i));
-      }
-    });
+  Expected<Done> attributes(const EncodedSurface& coded, const CodedSurface& surface,
+                            unsigned threads, const Progress& progress) {
+    bool need_corners = false;
+    for (const AttributeView a : mesh_.attributes) need_corners |= may_have_structure(a);
+    if (need_corners && !weld_) find_coded_faces(coded, surface);
+    auto values = encode_values({mesh_, all_, order(), coded.reversed_runs, coded_faces(surface),
+                                 weld_ ? &points_.points : nullptr},
+                                options_, plans_, threads, progress);
+    if (!values) return Failure{values.error()};
     AttributeSums sums(info());
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!coded[i]) return Failure{coded[i].error()};
-      const std::uint64_t values = coded[i]->info.count;
-      sums.add(i, std::move(coded[i]->info), values);
-      put(SectionKind::attribute, std::move(coded[i]->bytes));
+    for (std::size_t i = 0; i < values->size(); ++i) {
+      EncodedAttribute& attribute = (*values)[i];
+      const std::uint64_t count = attribute.info.count;
+      sums.add(i, std::move(attribute.info), count);
+      put(SectionKind::attribute, std::move(attribute.bytes));
     }
     return Done{};
   }
@@ -288,12 +262,30 @@ class MeshEncoder {
   const MeshView mesh_;
   const EncodeOptions& options_;
   const std::span<const AttributePlan> plans_;
+  const Weld* const weld_;
+  const std::vector<std::uint32_t> welded_corners_;
+  const std::uint32_t vertices_;  ///< once welded, if they are
   const Cycles all_;
+  const Cycles faces_;  ///< of these
   const RegularFaces regular_;
   std::uint32_t surface_vertices_ = 0;
   bool raw_ = false;  ///< faces are coded one by one
   EncodedStream folded_stream_, degenerate_stream_;
+  PermutedFaces permuted_;
+  std::vector<std::uint32_t> corner_of_;
+  EncodedPoints points_;
 };
+
+std::size_t size_of(const EncodedMesh& mesh) {
+  std::size_t bytes = 0;
+  for (const EncodedSection& section : mesh.sections) bytes += section.payload.size();
+  return bytes;
+}
+
+/// Vertices that a seam split are on boundaries. What is at one place beside these is left there.
+bool may_be_split(const EncodedMesh& mesh, const EncodeOptions& options) {
+  return options.level >= first_level_with_twins && mesh.has_boundary;
+}
 
 }  // namespace
 
@@ -312,9 +304,20 @@ Expected<EncodedMesh> encode_mesh(const MeshView& mesh, const EncodeOptions& opt
                                   std::span<const AttributePlan> plans, unsigned threads,
                                   const Progress& progress) {
   progress("connectivity", 0.0);
-  MeshEncoder encoder(mesh, options, plans);
+  EncodedMesh best;
+  {
+    MeshEncoder encoder(mesh, options, plans);
+    if (auto ok = encoder.run(threads, progress); !ok) return Failure{ok.error()};
+    best = std::move(encoder.result);
+  }
+  if (!may_be_split(best, options)) return best;
+  const std::optional<Weld> weld = find_weld(mesh);
+  if (!weld) return best;
+  MeshEncoder encoder(mesh, options, plans, &*weld);
   if (auto ok = encoder.run(threads, progress); !ok) return Failure{ok.error()};
-  return std::move(encoder.result);
+  EncodedMesh& other = encoder.result;
+  if (!other.sections.empty() && size_of(other) < size_of(best)) return std::move(other);
+  return best;
 }
 
 }  // namespace clers::internal

@@ -12,6 +12,7 @@
 #include "codec/entropy/bytes.h"
 #include "codec/error.h"
 #include "codec/file/container.h"
+#include "codec/file/value_encoder.h"
 #include "codec/info.h"
 #include "codec/mesh_view.h"
 #include "codec/options.h"
@@ -31,13 +32,11 @@ struct EncodedMesh {
   Permutation order;
   MeshInfo info;
   CodingCounts counts;
+  bool has_boundary = false;  ///< the surface has, or there is none
 };
 
 /// Refuses meshes whose arrays disagree, and those with faces that the options do not allow.
 Expected<Done> check(const MeshView& mesh, const EncodeOptions& options);
-
-/// Takes the stage of the work and the share of it that is done.
-using Progress = std::function<void(std::string_view stage, double share)>;
 
 /// Encodes in one piece. `progress` takes shares of this mesh. Threads are for its attributes.
 /// Precondition: check() has passed it. Errors: internal, limit.

@@ -16,8 +16,9 @@ inline constexpr std::uint32_t degenerate = 8;  ///< faces that are not on the s
 inline constexpr std::uint32_t raw = 16;        ///< alone: faces one by one, no surface
 inline constexpr std::uint32_t repeats = 32;    ///< faces that repeat one of the surface
 inline constexpr std::uint32_t folded = 64;     ///< triangles on two vertices of an edge
+inline constexpr std::uint32_t welded = 128;    ///< vertices are points at those of the surface
 inline constexpr std::uint32_t on_surface =
-    reversed | polygons | copies | degenerate | repeats | folded;
+    reversed | polygons | copies | degenerate | repeats | folded | welded;
 }  // namespace feature
 
 }  // namespace clers::internal

@@ -26,7 +26,7 @@ Expected<Done> read_raw(const Section& section, ByteReader& in, PieceSections& m
   if (!in.ok()) return Failure{in.error()};
   if (std::string fault = mesh.raw.fault(); !fault.empty())
     return fail(ErrorCode::invalid, Place::byte, section.at, std::move(fault));
-  mesh.vertices = mesh.raw.vertices;
+  mesh.vertices = mesh.places = mesh.raw.vertices;
   mesh.faces = mesh.raw.faces;
   mesh.corners = mesh.raw.corners;
   return Done{};
@@ -59,6 +59,7 @@ Expected<Done> read_surface(const Section& section, ByteReader& in, PieceSection
   if (mesh.features & feature::repeats) mesh.repeats.read(in);
   if (mesh.features & feature::folded) mesh.folded.read(in);
   if (mesh.features & feature::degenerate) mesh.degenerate.read(in);
+  if (mesh.features & feature::welded) mesh.points.read(in);
   if (!in.ok()) return Failure{in.error()};
   mesh.connectivity_bytes = section.payload.subspan(in.position());
   mesh.connectivity_at = in.offset();
@@ -70,13 +71,18 @@ Expected<Done> read_surface(const Section& section, ByteReader& in, PieceSection
   mesh.surface_vertices = header->vertices - mesh.copies.copies;
   if (others > 0xffffffffu - mesh.surface_vertices)
     return invalid(std::to_string(others) + " further vertices are more than there are numbers");
-  mesh.vertices = mesh.surface_vertices + others;
+  mesh.vertices = mesh.places = mesh.surface_vertices + others;
   mesh.faces = mesh.surface_faces + mesh.repeats.faces + mesh.folded.faces + mesh.degenerate.faces;
   // A polygon of n corners is n - 2 triangles.
   mesh.corners = header->faces + 2 * mesh.surface_faces + mesh.repeats.corners +
                  3 * mesh.folded.faces + mesh.degenerate.corners;
   if (mesh.corners > max_corners)
     return invalid(std::to_string(mesh.corners) + " corners are more than there are numbers");
+  if (mesh.features & feature::welded) {
+    if (std::string fault = mesh.points.fault(mesh.corners, mesh.places); !fault.empty())
+      return invalid(std::move(fault));
+    mesh.vertices = mesh.points.points;
+  }
   return Done{};
 }
 
@@ -106,6 +112,13 @@ Expected<PieceSections::AttributeSection> read_attribute(const Section& section,
     case Domain::corner: result.count = mesh.corners; break;
     case Domain::face: result.count = mesh.faces; break;
   }
+  const Attribute& what = header->attribute;
+  const bool at_places = header->structure.at_places;
+  if (at_places ? !mesh.is_welded()
+                : mesh.is_welded() && what.domain == Domain::vertex && what.name == position_name)
+    return fail(ErrorCode::invalid, Place::byte, section.at,
+                "values of places of a mesh that has none, or positions that are not");
+  if (at_places) result.places = mesh.places;
   if (auto ok = check_values(result.bytes, result.at, result.header, result.values()); !ok)
     return Failure{ok.error()};
   return result;

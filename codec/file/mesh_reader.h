@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "codec/attributes/attribute_decoder.h"
+#include "codec/attributes/points.h"
 #include "codec/base/budget.h"
 #include "codec/connectivity/connectivity.h"
 #include "codec/file/container.h"
@@ -32,6 +33,7 @@ namespace clers::internal {
 /// A part of a file that decodes alone: a mesh, or a piece of one.
 struct PieceSections : PiecePlace {
   std::uint64_t surface_vertices = 0;  ///< of the piece, that its surface has
+  std::uint64_t places = 0;            ///< vertices, welded if they are
   std::uint64_t surface_faces = 0;     ///< neither repeated, folded nor degenerate
   std::uint32_t features = 0;          ///< which of these it has:
   ReversedHeader reversed;
@@ -40,6 +42,7 @@ struct PieceSections : PiecePlace {
   RepeatsHeader repeats;
   FoldedHeader folded;
   DegenerateHeader degenerate;
+  PointsHeader points;
   RawHeader raw;
   ConnectivityHeader connectivity;
   std::span<const std::byte> connectivity_bytes;  ///< without what stands before
@@ -53,7 +56,10 @@ struct PieceSections : PiecePlace {
     bool wanted = true;       ///< false: only others need it,
     bool decoded = true;      ///< its values too; false: only which corners share them
 
-    std::uint64_t values() const { return header.values(count); }  ///< that are coded
+    std::uint64_t places = 0;  ///< not 0: that many are coded, of welded vertices
+
+    /// That are coded.
+    std::uint64_t values() const { return places > 0 ? places : header.values(count); }
   };
   std::vector<AttributeSection> attributes;
   /// Leaves those that are wanted, and what these need. Precondition: one flag for each.
@@ -61,6 +67,7 @@ struct PieceSections : PiecePlace {
 
   std::uint64_t seam_size = 0;  ///< of the section's payload
 
+  bool is_welded() const { return features & feature::welded && features != feature::raw; }
   bool may_have_sizes() const {
     return features & (feature::polygons | feature::degenerate | feature::raw);
   }

@@ -25,13 +25,15 @@ Expected<MeshInfo> info_of(const MeshSections& s, bool with_metadata) {
   mesh.attributes.reserve(s.pieces[0].attributes.size());
   for (const PieceSections& piece : s.pieces) {
     mesh.copied_vertices += piece.copies.copies;
+    mesh.welded_vertices += piece.vertices - piece.places;
     mesh.repeated_faces += piece.repeats.faces;
     mesh.degenerate_faces += piece.folded.faces + piece.degenerate.faces;
     mesh.connectivity_bytes += piece.payload_size + piece.seam_size;
     mesh.polygon_bytes += piece.polygons.stream.bytes.size();
     mesh.stitching_bytes += piece.reversed.stream.bytes.size() + piece.copies.stream.bytes.size() +
                             piece.repeats.stream.bytes.size() + piece.folded.stream.bytes.size() +
-                            piece.degenerate.stream.bytes.size() + piece.seam_size;
+                            piece.degenerate.stream.bytes.size() +
+                            piece.points.stream.bytes.size() + piece.seam_size;
     for (std::size_t i = 0; i < piece.attributes.size(); ++i) {
       const PieceSections::AttributeSection& a = piece.attributes[i];
       AttributeInfo what = info_of(a.header);

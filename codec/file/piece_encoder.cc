@@ -19,6 +19,7 @@ void add(const MeshInfo& piece, std::uint64_t shared, MeshInfo& whole, Attribute
   whole.corners += piece.corners;
   whole.triangles_only &= piece.triangles_only;
   whole.copied_vertices += piece.copied_vertices;
+  whole.welded_vertices += piece.welded_vertices;
   whole.repeated_faces += piece.repeated_faces;
   whole.degenerate_faces += piece.degenerate_faces;
   whole.connectivity_bytes += piece.connectivity_bytes;

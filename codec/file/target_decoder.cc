@@ -126,7 +126,8 @@ Expected<Done> for_each_piece(const MeshSections& mesh, std::vector<std::uint64_
 bool all_on_surface(const MeshSections& mesh) {
   return !mesh.has_order &&
          std::all_of(mesh.pieces.begin(), mesh.pieces.end(), [](const PieceSections& piece) {
-           return !piece.may_have_sizes() && piece.faces == piece.surface_faces;
+           return !piece.may_have_sizes() && !piece.is_welded() &&
+                  piece.faces == piece.surface_faces;
          });
 }
 

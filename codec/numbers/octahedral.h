@@ -65,8 +65,8 @@ class OctahedralGrid {
   /// A vector scaled to the octahedron: the sum of its magnitudes is S. Precondition: that sum is a
   /// normal number, far from the largest.
   Vector3 project(const Vector3& v) const {
-    const double sum = std::fabs(v[0]) + std::fabs(v[1]) + std::fabs(v[2]);
-    return {v[0] / sum * s_, v[1] / sum * s_, v[2] / sum * s_};
+    const double scale = s_ / (std::fabs(v[0]) + std::fabs(v[1]) + std::fabs(v[2]));
+    return {v[0] * scale, v[1] * scale, v[2] * scale};
   }
 
   /// The point with the least angle to a vector that project() gave, of those around it: the first
@@ -76,15 +76,16 @@ class OctahedralGrid {
     const auto x = static_cast<std::int32_t>(magnitude[0]),
                y = static_cast<std::int32_t>(magnitude[1]);
     OctahedralPoint best;
-    double most = -1;
+    double most = -1, square = 1;  // of the best: its product with the vector, squared, and its own
     for (const std::int32_t i : {0, 1})
       for (const std::int32_t j : {0, 1}) {
         const OctahedralPoint p = {{x + i, y + j, s_ - (x + i) - (y + j)}};
         if (p[2] < 0) continue;
-        const double along =
-            (magnitude[0] * p[0] + magnitude[1] * p[1] + magnitude[2] * p[2]) / length(p);
-        if (!(along > most)) continue;
-        most = along;
+        const double along = magnitude[0] * p[0] + magnitude[1] * p[1] + magnitude[2] * p[2],
+                     own = square_of(p), product = along * along;
+        if (!(product * square > most * own)) continue;
+        most = product;
+        square = own;
         best = p;
       }
     for (std::size_t c = 0; c < 3; ++c)
@@ -94,14 +95,14 @@ class OctahedralGrid {
 
   /// The unit vector of a point: two rounded operations a component.
   static Vector3 direction(const OctahedralPoint& p) {
-    const double l = length(p);
+    const double l = std::sqrt(square_of(p));
     return {p[0] / l, p[1] / l, p[2] / l};
   }
 
  private:
-  static double length(const OctahedralPoint& p) {
+  static double square_of(const OctahedralPoint& p) {
     const double x = p[0], y = p[1], z = p[2];
-    return std::sqrt(x * x + y * y + z * z);
+    return x * x + y * y + z * z;
   }
 
   std::int32_t s_;

@@ -42,6 +42,7 @@ inline void expect_same_info(const MeshInfo& a, const MeshInfo& b) {
   EXPECT_EQ(a.triangles_only, b.triangles_only);
   EXPECT_EQ(a.pieces, b.pieces);
   EXPECT_EQ(a.copied_vertices, b.copied_vertices);
+  EXPECT_EQ(a.welded_vertices, b.welded_vertices);
   EXPECT_EQ(a.repeated_faces, b.repeated_faces);
   EXPECT_EQ(a.degenerate_faces, b.degenerate_faces);
   EXPECT_EQ(a.connectivity_bytes, b.connectivity_bytes);
