@@ -16,17 +16,19 @@
 namespace clers::internal {
 
 /// Codes numbers of which each is one of those before, or one more than the greatest of them.
-/// Mostly they go on as they did after the last number when it was met before, or are the last one,
-/// its successor, or one of the latest. Cost: linear.
+/// Mostly they are what the caller guesses, go on as they did after the last number when it was met
+/// before, or are the last one, its successor, or one of the latest. Cost: linear.
 class SharingCoder {
  public:
-  /// A coder that decodes fills in the numbers. There are `most` different ones, at most. False:
-  /// there are more, or what was decoded is none of those before.
-  template <class Coder>
-  bool code(Coder& coder, std::span<std::uint32_t> numbers, std::uint64_t most) {
+  /// A coder that decodes fills in the numbers. There are `most` different ones, at most. guess(i)
+  /// is what the i-th may be, or no_index. False: there are more, or what was decoded is none of
+  /// those before.
+  template <class Coder, class Guess>
+  bool code(Coder& coder, std::span<std::uint32_t> numbers, std::uint64_t most, Guess&& guess) {
     after_.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(most, numbers.size())));
-    for (std::uint32_t& n : numbers) {
-      n = code_number(coder, n);
+    for (std::uint32_t i = 0; i < numbers.size(); ++i) {
+      std::uint32_t& n = numbers[i];
+      n = code_number(coder, n, guess(i));
       if (n > count() || n >= most) return false;
       if (n == count()) after_.push_back(no_index);
       if (last_ != no_index) after_[last_] = n;
@@ -45,7 +47,12 @@ class SharingCoder {
                             fresh = far + 1, outcomes = fresh + 1;
 
   template <class Coder>
-  std::uint32_t code_number(Coder& coder, std::uint32_t value) {
+  std::uint32_t code_number(Coder& coder, std::uint32_t value, std::uint32_t likely) {
+    if (likely != no_index) {
+      const bool is_likely = coder.bit(likely_[last_likely_], value == likely);
+      last_likely_ = (2 * last_likely_ + is_likely) % 4;
+      if (is_likely) return remember(likely, remembered);
+    }
     BitModel* const guess = guess_[before_[0]][before_[1]];
     const auto is = [&](unsigned outcome) {
       before_[1] = before_[0];
@@ -82,7 +89,8 @@ class SharingCoder {
   std::array<std::uint32_t, remembered> recent_{};
   unsigned filled_ = 0;
   std::array<unsigned, 2> before_ = {fresh, fresh};
-  BitModel guess_[outcomes][outcomes][outcomes];
+  BitModel guess_[outcomes][outcomes][outcomes], likely_[4];
+  unsigned last_likely_ = 3;
 };
 
 /// Codes a permutation, each number by its distance from the one before, and one.

@@ -15,6 +15,7 @@
 #include "codec/attributes/missing.h"
 #include "codec/attributes/seams.h"
 #include "codec/attributes/sharing.h"
+#include "codec/attributes/sharing_guess.h"
 #include "codec/attributes/structure_format.h"
 #include "codec/attributes/value_surface.h"
 #include "codec/attributes/wedges.h"
@@ -148,7 +149,9 @@ bool code_structure(Coder& coder, const StructureHeader& header, const CodedFace
   std::vector<std::uint32_t> numbers = elements.share(count, std::move(list));
   if (!listed) return true;
   SharingCoder sharing;
-  if (!sharing.code(coder, numbers, used)) return false;
+  const CodedFaces none;
+  SharingGuess guess(domain == Domain::corner ? faces : none, value_of, numbers);
+  if (!sharing.code(coder, numbers, used, guess)) return false;
   for (std::uint32_t& value : value_of)
     if (value != no_value) value = numbers[value];
   return Coder::encodes || sharing.count() == used;
@@ -165,8 +168,9 @@ inline std::uint64_t structure_memory(const StructureHeader& header, Domain doma
     most = std::max({most, SeamCoder::memory(vertices, half_edges),
                      half_edges / 8 + 8 + WedgeCoder::memory(vertices, elements, count)});
   if (listed)
-    most =
-        std::max(most, half_edges / 8 + 8 + 4 * count + SharingCoder::memory(count, header.values));
+    most = std::max(most, half_edges / 8 + 8 + 4 * count +
+                              SharingCoder::memory(count, header.values) +
+                              (domain == Domain::corner ? SharingGuess::memory(half_edges) : 0));
   return most;
 }
 
