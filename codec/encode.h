@@ -51,11 +51,13 @@ struct Encoded {
 ///
 /// Cost: linear in the faces, O(log n) a handle, and sorts of non-manifold edges, of degenerate
 /// faces and of the patches that pieces are made of. Of the arrays of the mesh, 16-bit corners are
-/// copied (4 bytes each), and the values of one attribute a thread; a mesh in pieces is copied
-/// piece by piece. Values that are quantised are copied three times before that. To code values
-/// takes 4 bytes a component, 8 where the integers that they become need more than 29 bits, several
-/// times; from level 5 on 12 bytes a triangle where vertices or corners have values, for which
-/// sides are the same edge, and at level 9 some hundred bytes a vertex.
+/// copied (4 bytes each), the values of one attribute a thread, and those of corners or by index,
+/// of all attributes; a mesh in pieces is copied piece by piece. One that has values by index stays
+/// whole. From level 5 on a mesh with boundaries, of which vertices are at one place, is coded
+/// twice: with these as one, and not. Values that are quantised are copied three times before that.
+/// To code values takes 4 bytes a component, 8 where the integers that they become need more than
+/// 29 bits, several times; from level 5 on 12 bytes a triangle where vertices or corners have
+/// values, for which sides are the same edge, and at level 9 some hundred bytes a vertex.
 Expected<Encoded> encode(const MeshView& mesh, const EncodeOptions& options = {});
 
 /// Encodes several meshes into one file. Errors say which mesh.

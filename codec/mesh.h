@@ -39,7 +39,8 @@ struct Attribute {
   std::vector<std::byte> data;  ///< of all values, stride() bytes each
 
   /// Empty: element i has value i. Else which value each element has, or no_value. Elements may
-  /// share values, and a value may be that of none.
+  /// share values, and a value may be that of none. Decoded, values are numbered in the order of
+  /// their first use, and last come those of none; with Order::keep as they were.
   std::vector<std::uint32_t> indices = {};
 
   std::size_t stride() const { return size_of(scalar) * components; }

@@ -15,7 +15,9 @@
 
 namespace CLERS_VISIBLE clers {
 
-/// Memory for the values of an attribute: the counterpart of AttributeView.
+/// Memory for the values of an attribute, one for each element: the counterpart of AttributeView.
+/// Values by index are copied to each element that has them; where one has none, the memory stays
+/// as it was.
 struct AttributeTarget {
   std::string_view name = {};
   Domain domain = Domain::vertex;

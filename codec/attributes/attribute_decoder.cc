@@ -216,7 +216,8 @@ AttributeMemory decoding_memory(std::span<const std::byte> bytes, const Attribut
       : header.coder == Coder::weights
           ? weights_memory(count, header.attribute.components, surface.vertices)
       : header.coder == Coder::normals ? normals_memory(count, surface.positions)
-      : header.coder == Coder::charts  ? charts_memory(count, surface.positions)
+      : header.coder == Coder::charts
+          ? charts_memory(count, header.attribute.components, surface.positions)
       : header.coder == Coder::sized
           ? sized_positions_memory(integers_of(bytes, header), count, surface.triangles)
           : mixed_memory(count, surface.triangles);

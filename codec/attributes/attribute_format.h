@@ -191,10 +191,10 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
     return fail(ErrorCode::invalid, Place::byte, at,
                 "a coder of normals, which must be three components along a surface");
   if (coder == static_cast<std::uint32_t>(Coder::charts) &&
-      (components != 2 || domain == static_cast<std::uint32_t>(Domain::face) ||
+      (components < 2 || domain == static_cast<std::uint32_t>(Domain::face) ||
        (of_corners && !header.structure.any)))
     return fail(ErrorCode::invalid, Place::byte, at,
-                "a coder of charts, which must be two components along a surface");
+                "a coder of charts, which must be along a surface");
   if (changed && !(header.error > 0 && std::isfinite(header.error)))
     return fail(ErrorCode::invalid, Place::byte, at, "an attribute with an error that is none");
   if (by_angle && (!changed || components != 3))

@@ -13,9 +13,17 @@
 
 namespace clers::internal {
 
-/// Int is std::int32_t or std::int64_t. Preconditions: two axes; every integer is one of its axis;
-/// the surface has no value beyond the rows, and vertices below `along.vertex` have positions, if
-/// there are any. Twins should be there: without them the prediction is a poor one.
+/// Whether values may be coded so: two components, and others that are the same everywhere.
+inline bool may_be_charts(std::span<const Axis> axes) {
+  if (axes.size() < 2) return false;
+  for (const Axis& axis : axes.subspan(2))
+    if (axis.top != 0 && axis.palette.size() != 1) return false;
+  return true;
+}
+
+/// Int is std::int32_t or std::int64_t. Preconditions: may_be_charts; every integer is one of its
+/// axis; the surface has no value beyond the rows, and vertices below `along.vertex` have
+/// positions, if there are any. Twins should be there: without them the prediction is a poor one.
 template <class Int>
 Bytes encode_charts(const Lattice<Int>& values, const ValueSurface& along, int level);
 
@@ -28,7 +36,7 @@ Expected<Done> decode_charts(std::span<const std::byte> bytes, std::uint64_t at,
                              std::span<Int> rows);
 
 /// What decoding allocates.
-std::uint64_t charts_memory(std::uint64_t values, std::uint64_t vertices);
+std::uint64_t charts_memory(std::uint64_t values, std::uint64_t components, std::uint64_t vertices);
 
 }  // namespace clers::internal
 

@@ -57,9 +57,12 @@ template <class Int>
 Bytes encode_charts(const Lattice<Int>& values, const ValueSurface& along, int level) {
   Bytes best;
   if (values.rows.empty()) return best;
-  std::vector<Int> rows(values.rows.begin(), values.rows.end());
-  integers_to_ranks(Lattice<Int>{rows, values.axes});
-  const std::vector<Axis> axes = with_ranks(values.axes);
+  std::vector<Int> rows;
+  rows.reserve(2 * values.count());
+  for (std::size_t i = 0; i < values.rows.size(); i += values.axes.size())
+    rows.insert(rows.end(), {values.rows[i], values.rows[i + 1]});
+  integers_to_ranks(Lattice<Int>{rows, values.axes.first(2)});
+  const std::vector<Axis> axes = with_ranks(values.axes.first(2));
   const std::vector<GridPlace> places = places_of(along.position);
   ChartsOptions chosen;
   const auto consider = [&](const ChartsOptions& options) {

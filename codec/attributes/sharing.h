@@ -3,6 +3,7 @@
 #ifndef CLERS_CODEC_ATTRIBUTES_SHARING_H
 #define CLERS_CODEC_ATTRIBUTES_SHARING_H
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -23,6 +24,7 @@ class SharingCoder {
   /// there are more, or what was decoded is none of those before.
   template <class Coder>
   bool code(Coder& coder, std::span<std::uint32_t> numbers, std::uint64_t most) {
+    after_.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(most, numbers.size())));
     for (std::uint32_t& n : numbers) {
       n = code_number(coder, n);
       if (n > count() || n >= most) return false;
@@ -34,7 +36,9 @@ class SharingCoder {
   }
   std::uint32_t count() const { return static_cast<std::uint32_t>(after_.size()); }
 
-  static std::uint64_t memory(std::uint64_t numbers) { return 3 * 4 * numbers; }
+  static std::uint64_t memory(std::uint64_t numbers, std::uint64_t most) {
+    return 4 * std::min(numbers, most);
+  }
 
  private:
   static constexpr unsigned remembered = 6, guesses = remembered + 2, far = guesses,

@@ -158,13 +158,15 @@ bool code_structure(Coder& coder, const StructureHeader& header, const CodedFace
 inline std::uint64_t structure_memory(const StructureHeader& header, Domain domain,
                                       std::uint64_t elements, std::uint64_t vertices,
                                       std::uint64_t half_edges) {
-  const std::uint64_t count = header.sharing == Sharing::listed ? elements : header.values;
+  const bool listed = header.sharing == Sharing::listed;
+  const std::uint64_t count = listed ? elements : std::min(header.values, elements);
   std::uint64_t most = header.missing && domain == Domain::corner ? vertices : 0;
   if (domain == Domain::corner)
     most = std::max({most, SeamCoder::memory(vertices, half_edges),
-                     half_edges / 8 + 8 + WedgeCoder::memory(vertices, count)});
-  if (header.sharing == Sharing::listed)
-    most = std::max(most, half_edges / 8 + 8 + 4 * count + SharingCoder::memory(header.values));
+                     half_edges / 8 + 8 + WedgeCoder::memory(vertices, elements, count)});
+  if (listed)
+    most =
+        std::max(most, half_edges / 8 + 8 + 4 * count + SharingCoder::memory(count, header.values));
   return most;
 }
 

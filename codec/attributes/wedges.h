@@ -35,9 +35,11 @@ class WedgeCoder {
         seams_(seams),
         value_of_(value_of),
         most_(most),
-        last_(faces.vertices, no_index) {}
-  static std::uint64_t memory(std::uint64_t vertices, std::uint64_t values) {
-    return 4 * vertices + 3 * 4 * values;  // one list of all that grows
+        last_(faces.vertices, no_index) {
+    next_.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(most, value_of.size())));
+  }
+  static std::uint64_t memory(std::uint64_t vertices, std::uint64_t corners, std::uint64_t most) {
+    return 4 * vertices + 4 * std::min(corners, most);
   }
 
   /// False: there are more values than at most. `same(c, d)` as for SeamCoder.

@@ -220,7 +220,8 @@ ValuesMemory memory_of(const PieceSections& s, const PieceSections::AttributeSec
   if (!structure.any) return out;
   const std::uint64_t coded = values * a.header.attribute.stride();
   out.held += found;
-  out.step = std::max({out.step + coded + value_surface_memory(sides, true, values),
+  out.step = std::max({memory.beginning,
+                       coded + memory.finishing + value_surface_memory(sides, true, values),
                        result + coded + spreading_memory(structure), sharing});
   return out;
 }

@@ -204,6 +204,22 @@ TEST(Charts, OtherThanTwoComponentsAndNoValuesAreRefused) {
   }
 }
 
+TEST(Charts, ThirdComponentsThatAreTheSameEverywhere) {
+  const CodedArrays s = test::coded(corpus::torus(12, 9));
+  const std::vector<Axis> axes = {Axis{50}, Axis{60}, Axis{0}, Axis{9, 1, {7}}};
+  corpus::Random random(8);
+  std::vector<std::int32_t> rows;
+  for (std::size_t v = 0; v < s.introduced_by.size(); ++v)
+    rows.insert(rows.end(), {static_cast<std::int32_t>(random.below(51)),
+                             static_cast<std::int32_t>(random.below(61)), 0, 7});
+  EXPECT_TRUE(may_be_charts(axes));
+  EXPECT_FALSE(may_be_charts(std::span(axes).first(1)));
+  const Bytes bytes = encode_charts(Lattice<std::int32_t>{rows, axes}, {s.view(), {}, nullptr}, 5);
+  std::vector<std::int32_t> out(rows.size(), -1);
+  ASSERT_TRUE(decode_charts<std::int32_t>(bytes, 0, axes, {s.view(), {}, nullptr}, out).ok());
+  EXPECT_EQ(out, rows);
+}
+
 TEST(Charts, ShapeSaysWhatIsInThem) {
   // A grid whose vertices were moved at random in its plane, tilted in space, and the plane laid
   // flat and stretched: parallelograms do not know the chart, the shape does.

@@ -20,6 +20,7 @@
 #include "codec/test/decoding.h"
 #include "codec/test/file_builder.h"
 #include "corpus/generate.h"
+#include "corpus/random.h"
 
 namespace {
 
@@ -458,6 +459,88 @@ TEST(Memory, HonestFiles) {
       options.piece_faces = 2000;
       expect_fair({one[0], one[0]}, options);
     }
+}
+
+TEST(Memory, SharedValues) {
+  Mesh mesh = corpus::torus(160, 120);
+  const auto corners = static_cast<std::uint32_t>(mesh.corners.size());
+  const auto by_index = [&](const char* name, Domain domain, auto index_of, std::uint32_t values) {
+    std::vector<float> numbers(2 * values);
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = float(i % 5009);
+    Attribute a = test::attribute(name, domain, Scalar::float32, 2, numbers);
+    const std::size_t count = mesh.value_count(domain);
+    for (std::uint32_t e = 0; e < count; ++e) a.indices.push_back(index_of(e));
+    return a;
+  };
+  const auto of_vertex = [&](std::uint32_t c) { return mesh.corners[c]; };
+  const auto itself = [](std::uint32_t e) { return e; };
+  const auto some = [&](std::uint32_t c) { return c % 5 == 0 ? no_value : mesh.corners[c] / 3; };
+  const Attribute all[] = {
+      by_index("wedges", Domain::corner, of_vertex, mesh.vertex_count),
+      by_index("apart", Domain::corner, itself, corners),
+      by_index("listed", Domain::corner, some, mesh.vertex_count),
+      by_index(
+          "unused", Domain::face, [](std::uint32_t f) { return f / 2; }, corners / 3)};
+  for (const int level : {1, 5})
+    for (const Order order : {Order::free, Order::keep}) {
+      EncodeOptions options;
+      options.level = level;
+      options.order = order;
+      const auto expect_limited = [&] {
+        const auto coded = encode(mesh, options);
+        ASSERT_TRUE(coded.ok()) << describe(coded.error());
+        expect_within_limits(coded->bytes);
+      };
+      for (const Attribute& a : all) {
+        mesh.attributes = {a};
+        expect_limited();
+      }
+      mesh.attributes = {all[0], all[1], all[2], all[3]};
+      expect_limited();
+    }
+}
+
+TEST(Memory, WeldedVertices) {
+  constexpr std::uint32_t around = 150;
+  Mesh mesh = corpus::grid(around, 120);
+  std::vector<float> position;
+  for (std::uint32_t v = 0; v < mesh.vertex_count; ++v) {
+    const std::uint32_t x = v % (around + 1) % around;
+    corpus::Random random(v / (around + 1) * around + x);
+    for (unsigned i = 0; i < 3; ++i) position.push_back(float(random.below(1 << 24)));
+  }
+  std::vector<float> normal = position;
+  std::reverse(normal.begin(), normal.end());
+  mesh.attributes = {test::attribute("position", Domain::vertex, Scalar::float32, 3, position),
+                     test::attribute("normal", Domain::vertex, Scalar::float32, 3, normal)};
+  const auto coded = encode(mesh);
+  ASSERT_TRUE(coded.ok());
+  EXPECT_GT(coded->report[0].welded_vertices, 0u);
+  expect_fair({mesh}, {});
+  EncodeOptions options;
+  options.piece_faces = 9000;
+  options.order = Order::keep;
+  expect_fair({mesh}, options);
+}
+
+/// More values than there are elements, and more places than there are vertices.
+TEST(Memory, StructuresThatClaimValues) {
+  for (const unsigned bits : {20u, 24u, 28u, 31u}) {
+    const std::uint64_t claimed = std::uint64_t(1) << bits;
+    Payload attribute;
+    attribute.u8(1).text("a").u8(1 | 4 | 8).u8(static_cast<std::uint32_t>(Scalar::uint8)).u8(1);
+    attribute.u8(0).varint(claimed).varint(claimed << 2).stream(no_symbols).u8(0);
+    attribute.raw(test::zstd_frame({}));
+    expect_within_limits(FileBuilder()
+                             .section(SectionKind::mesh, test::tetrahedron_mesh())
+                             .section(SectionKind::attribute, attribute)
+                             .finish());
+    const Payload tetrahedron = test::tetrahedron_mesh();
+    Payload welded;
+    welded.u8(feature::welded).varint(claimed).varint(claimed + 1).stream(no_symbols);
+    welded.raw(std::span(tetrahedron.bytes).subspan(2));
+    expect_within_limits(FileBuilder().section(SectionKind::mesh, welded).finish());
+  }
 }
 
 /// What encoding takes besides the mesh, results included.

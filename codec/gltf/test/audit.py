@@ -32,6 +32,9 @@ class Different(Exception):
 class Number(str):
     """A number of JSON by its text."""
 
+    def __int__(self):
+        return int(str(self)) if self.lstrip("-").isdigit() else int(float(self))
+
 
 class Gltf:
     def __init__(self, path):
