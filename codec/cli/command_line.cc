@@ -495,7 +495,10 @@ class CommandLine {
 
   void add_precision(const char* option, const std::string& name, const std::string& text) {
     const auto precision = parse_precision(text);
-    if (!precision) refuse(option, precision_words, text);
+    const bool directions = precision && (precision->kind == Precision::Kind::directions ||
+                                          precision->kind == Precision::Kind::recomputed);
+    if (!precision || (directions && name == position_name))
+      refuse(option, name == position_name ? precision_words : attribute_precision_words, text);
     for (const AttributePrecision& other : options_.encode.precisions)
       if (other.name == name)
         throw CLI::ValidationError(option, fmt::format("{} is given twice", in_quotes(name)));

@@ -52,6 +52,8 @@ std::optional<Precision> parse_grid(std::string_view text) {
 }  // namespace
 
 const char precision_words[] =
+    "lossless, q1 to q30, step<size>, error<size> or grid:<origin>:<step>";
+const char attribute_precision_words[] =
     "lossless, q1 to q30, step<size>, error<size>, grid:<origin>:<step>, oct2 to oct20 or "
     "recompute<degrees>";
 

@@ -14,10 +14,12 @@
 
 namespace clers::cli {
 
-/// What parse_precision takes, as a part of a sentence.
+/// What parse_precision takes, as a part of a sentence: of positions, and of other attributes,
+/// which may be directions.
 extern const char precision_words[];
+extern const char attribute_precision_words[];
 
-/// "lossless", "q14", "step0.01", "error0.001", "grid:0,0,0:0.01".
+/// "lossless", "q14", "step0.01", "error0.001", "grid:0,0,0:0.01", "oct10", "recompute0.5".
 std::optional<Precision> parse_precision(std::string_view text);
 
 /// "0.000499", "0.0621 degrees".

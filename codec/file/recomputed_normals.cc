@@ -182,6 +182,8 @@ Expected<QuantisedValues> recompute_normals(const MeshView& mesh, const Attribut
   if (a.components != 3 || !is_float(a.scalar))
     return refused("has " + std::to_string(a.components) + " " + name(a.scalar) +
                    " a value, and directions have 3 floats");
+  if (a.domain == Domain::vertex && a.name == position_name)
+    return refused("is what normals are computed from");
   for (const AttributeView other : mesh.attributes) {
     if (other.domain != Domain::vertex || other.name != position_name || other.components != 3)
       continue;

@@ -263,6 +263,28 @@ TEST(NormalValues, FacesTurnedForCodingAreNoticed) {
   EXPECT_LT(encode_normals<std::int64_t>(points.rows, points.numbers, along).size(), 120u);
 }
 
+TEST(NormalValues, CornersOfAFaceFollowTheFirst) {
+  // Flat shading: each corner has a value, and those of a face are the same, not quite the
+  // formula's.
+  const DoublePrecision doubles;
+  Ground ground = {coded(corpus::loose_triangles(700)), 2100, positions(2100, Places::rough)};
+  const ValueSurface along = ground.along();
+  const FormulaNormals formula(along, ground.values, {});
+  corpus::Random random(8);
+  std::vector<Vector3> all(ground.values);
+  const auto& corners = ground.arrays.corners;
+  for (std::size_t h = 0; h < corners.size(); h += 3) {
+    Vector3 n;
+    ASSERT_TRUE(formula.at(corners[h], n));
+    for (double& x : n) x += double(random.below(33)) / 1024;
+    for (std::size_t i = 0; i < 3; ++i) all[corners[h + i]] = n;
+  }
+  const Rows points = directions(all, 10);
+  const std::size_t bytes = encode_normals<std::int64_t>(points.rows, points.numbers, along).size();
+  EXPECT_LT(8 * bytes, 700u * 11);
+  expect_to_come_back<std::int32_t>(points, along);
+}
+
 TEST(NormalValues, AreaNoneAndPlacesTogether) {
   const DoublePrecision doubles;
   // Two triangles at one edge whose ends are there twice, and one without area.
