@@ -121,7 +121,8 @@ Outcome<Sameness> compare_all(Job& job, const std::vector<Mesh>& expected,
 }
 
 /// How exact values are: "every value bit for bit", and what is not.
-std::string exactness(std::span<const FoundError> found, std::span<const MeshInfo> stated) {
+std::string exactness(std::span<const FoundError> found, std::span<const MeshInfo> stated,
+                      std::span<const ArrayInfo> arrays) {
   std::string out = "every value bit for bit";
   const std::vector<FoundError> all = largest_errors(stated);
   for (const FoundError& error : found) {
@@ -132,6 +133,8 @@ std::string exactness(std::span<const FoundError> found, std::span<const MeshInf
                    ? ", as stated"
                    : fmt::format(", {} stated", in_words(other.error, other.measure));
   }
+  for (const ArrayInfo& a : arrays)
+    if (a.error > 0) out += fmt::format(", but '{}' is off by {:.4g} at most", a.name, a.error);
   return out;
 }
 
@@ -210,7 +213,8 @@ Exit verify(const Options& options) {
         lost.what.empty() ? ""
                           : fmt::format(", but for {} that {} not carried", lost.what, lost.are),
         meshes_of(found->meshes.size()), grouped(faces), faces == 1 ? "" : "s",
-        exactness(same->errors, stated->meshes), same->ordered ? ", in the same order" : "");
+        exactness(same->errors, stated->meshes, stated->scene.arrays),
+        same->ordered ? ", in the same order" : "");
     const auto printed = print(printable(verdict) + "\n");
     if (!printed) return Failure{printed.error()};
     return Exit::done;
