@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <span>
+#include <vector>
 
 #include "codec/io/io.h"
 
@@ -18,9 +20,20 @@ void require(bool holds) {
   if (!holds) std::abort();
 }
 
+/// A value for each element, zeros where one is missing: PLY shares none.
+std::vector<std::byte> by_element(const Attribute& a) {
+  if (a.indices.empty()) return a.data;
+  std::vector<std::byte> values(a.indices.size() * a.stride());
+  for (std::size_t i = 0; i < a.indices.size(); ++i)
+    if (a.indices[i] != clers::no_value)
+      std::memcpy(values.data() + i * a.stride(), a.data.data() + a.indices[i] * a.stride(),
+                  a.stride());
+  return values;
+}
+
 bool equal(const Attribute& a, const Attribute& b) {
   return a.name == b.name && a.domain == b.domain && a.scalar == b.scalar &&
-         a.components == b.components && a.data == b.data;
+         a.components == b.components && by_element(a) == by_element(b);
 }
 
 bool equal(const Mesh& a, const Mesh& b) {
@@ -37,9 +50,12 @@ void check_consistent(const Mesh& mesh) {
   require(mesh.triangles_only() ? mesh.corners.size() % 3 == 0 : mesh.corners.size() == corners);
   for (const std::uint32_t v : mesh.corners) require(v < mesh.vertex_count);
   const std::size_t counts[] = {mesh.vertex_count, mesh.corners.size(), mesh.face_count()};
-  for (const Attribute& a : mesh.attributes)
-    require(a.components > 0 &&
-            a.data.size() == counts[static_cast<unsigned>(a.domain)] * a.stride());
+  for (const Attribute& a : mesh.attributes) {
+    const std::size_t count = counts[static_cast<unsigned>(a.domain)];
+    require(a.components > 0 && a.data.size() % a.stride() == 0);
+    require((a.indices.empty() ? a.value_count() : a.indices.size()) == count);
+    for (const std::uint32_t i : a.indices) require(i == clers::no_value || i < a.value_count());
+  }
 }
 
 }  // namespace

@@ -115,9 +115,9 @@ class AttributeEncoder {
     if (!is_position && level_ >= 5)
       take(Coder::named, encode_named_values(lattice, surface_of(header_, lattice.count(), along_),
                                              header_.coded_domain()));
-    if (!is_position && level_ >= 5 && of_vertices() && may_be_charts(axes))
+    if (!is_position_ && level_ >= 5 && of_vertices() && may_be_charts(axes))
       take(Coder::charts, encode_charts(lattice, along_, level_));
-    if (!is_position && level_ >= 5 && of_vertices() && may_be_weights(numbered.numbers) &&
+    if (!is_position_ && level_ >= 5 && of_vertices() && may_be_weights(numbered.numbers) &&
         look_like_weights<Int>(rows, numbered.numbers))
       take(Coder::weights, encode_weights<Int>(rows, numbered.numbers, along_));
     if (is_position && level_ == 9) take(Coder::mixed, encode_mixed(surface_, lattice));

@@ -41,6 +41,12 @@ std::string as_property(std::string_view name) {
   return property;
 }
 
+bool has_values(const Attribute& a) {
+  return a.indices.empty() ? !a.data.empty()
+                           : std::any_of(a.indices.begin(), a.indices.end(),
+                                         [](std::uint32_t i) { return i != no_value; });
+}
+
 // Plans the properties of an element.
 class Planner {
  public:
@@ -178,7 +184,7 @@ class Planner {
         right = found->second->members[k] == first[i] + k;
       // Lists of the known names still have to be of as many values as are known.
       if (right && a.domain == Domain::corner)
-        right = !a.data.empty() && a.components >= 2 && a.components <= 4;
+        right = has_values(a) && a.components >= 2 && a.components <= 4;
       if (right) continue;
       changed = true;
       if (p.list && a.domain != Domain::corner) {  // a claim would make it a corner attribute

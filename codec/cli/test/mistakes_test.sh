@@ -13,7 +13,7 @@ printf 'glTF\2\0\0\0\14\0\0\0' >duck.glb
 gzip -c a.obj >a.ply.gz
 sed 's/^f 1 3 2/f 1 3 7/' a.obj >bad.obj
 sed '1s/.*/v nan 0 0/' a.obj >nan.obj
-{ echo 'mtllib gold.mtl'; echo 'usemtl gold'; cat a.obj; } >textured.obj
+{ cat a.obj; echo 'l 1 2'; echo 'p 1'; } >lines.obj
 
 grep '^\$ ' "$tests/mistakes.txt" | while IFS= read -r line; do
   echo "$line"
@@ -32,5 +32,5 @@ lines=$(grep -c '^\$' transcript)
 check "a line of answer each" test "$(wc -l <transcript)" -eq $((3 * lines))
 check "no answer is longer than two lines of a terminal" eval '! grep -E "^.{161}" transcript'
 check "nothing is made by mistake" test "$(ls | tr '\n' ' ')" = \
-  "a.clers a.obj a.ply.gz a.txt bad.obj bin damaged.clers duck.glb nan.obj other scans textured.obj transcript "
+  "a.clers a.obj a.ply.gz a.txt bad.obj bin damaged.clers duck.glb lines.obj nan.obj other scans transcript "
 finish

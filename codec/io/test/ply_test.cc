@@ -167,6 +167,14 @@ TEST(Ply, TheCornersOfSomeFacesHaveNoValues) {
   EXPECT_EQ(text_of(written.bytes), file);
 }
 
+TEST(Ply, NoCornerHasAValue) {
+  const Mesh mesh = must_read("v 0 0 0\nvt 1 1\nf 1 1 1\n", Format::obj).meshes[0];
+  const WriteResult written = must_write(mesh, Format::ply, Encoding::text);
+  const Mesh again = must_read(written.bytes, Format::ply).meshes[0];
+  EXPECT_EQ(get(again, "texcoord", Domain::corner).components, 2);
+  EXPECT_TRUE(same(again, mesh));
+}
+
 TEST(Ply, MissingValuesOfVerticesBecomeZeros) {
   Mesh mesh;
   mesh.vertex_count = 2;
