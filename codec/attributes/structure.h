@@ -168,9 +168,9 @@ inline std::uint64_t structure_memory(const StructureHeader& header, Domain doma
     most = std::max({most, SeamCoder::memory(vertices, half_edges),
                      half_edges / 8 + 8 + WedgeCoder::memory(vertices, elements, count)});
   if (listed)
-    most = std::max(most, half_edges / 8 + 8 + 4 * count +
-                              SharingCoder::memory(count, header.values) +
-                              (domain == Domain::corner ? SharingGuess::memory(half_edges) : 0));
+    most =
+        std::max(most, half_edges / 8 + 8 + 4 * count + SharingCoder::memory(count, header.values) +
+                           (domain == Domain::corner ? SharingGuess::memory(half_edges) : 0));
   return most;
 }
 

@@ -257,7 +257,7 @@ TEST(Quantise, IntegersAreThoseOfTheValues) {
 
 TEST(Quantise, ValuesStayWhereIntegersDoNotSayAll) {
   const std::vector<std::vector<float>> all = {
-      {-0.f, .1f, 2, 0},         // the sign of zero
+      {-0.f, .1f, 2, 0},        // the sign of zero
       {1e8f, 1e8f + 8, .1f, 0}  // steps that the type rounds to each other
   };
   for (const std::vector<float>& values : all) {
