@@ -52,7 +52,7 @@ class Lines {
       if (q >= nothing && p >= nothing) continue;
       const Nearest found = nearest(axis, q, p, ends);
       if (found.w == unknown) continue;
-      const auto was = [&](std::uint32_t u) { return repeated_[u] >> axis & 1u; };
+      const auto was = [&](std::uint32_t u) { return unsigned(repeated_[u]) >> axis & 1u; };
       const unsigned whose = q < nothing && p < nothing ? 8 : 0;
       BitModel& model = models_[axis][whose + 4u * found.both + 2 * was(gate.b) + was(gate.a)];
       Int *const v = row(gate.v), *const w = row(found.w);

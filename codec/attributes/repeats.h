@@ -66,7 +66,7 @@ class Repeats {
     unsigned repeated = 0, count = 0;
     for (unsigned i = 0; i < 3; ++i) {
       const auto at = [&](std::uint32_t u) { return rows_[3 * std::size_t(u) + i]; };
-      const auto was = [&](std::uint32_t u) { return repeated_[u] >> i & 1u; };
+      const auto was = [&](std::uint32_t u) { return unsigned(repeated_[u]) >> i & 1u; };
       const unsigned like = equal(at(gate.a), at(gate.b), at(gate.c)),
                      around = was(gate.a) + was(gate.b) + was(gate.c);
       Models& models = models_[((i * 5 + like) * 4 + around) * 3 + count];

@@ -87,7 +87,7 @@ void for_each_by_parallelograms(const CodedSurface& surface, Visit visit) {
     visit(from, Visited(state));
     const std::uint32_t first = from.index();
     state[corners[first]] = Visited::known;
-    if (!(knows(next_in(first)) & knows(previous_in(first)))) return;
+    if (!(unsigned(knows(next_in(first))) & unsigned(knows(previous_in(first))))) return;
     look_across(next_in(first));
     for (std::uint32_t side = previous_in(first);;) {  // counterclockwise
       const HalfEdge across = twins[side];
