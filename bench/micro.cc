@@ -83,7 +83,8 @@ void traversal(benchmark::State& state) {
     std::copy(s.twins.begin(), s.twins.end(), twins.begin());
     NoWitness witness;
     benchmark::DoNotOptimize(
-        Edgebreaker<TriangleFaces, NoWitness, true>({s.corners, twins, s.vertices}, witness).run());
+        Edgebreaker<TriangleFaces, NoWitness, true>({s.corners, twins, s.vertices}, witness, false)
+            .run());
   }
   count_items(state, s.twins.size() / 3);
 }
