@@ -93,20 +93,26 @@ std::vector<std::uint64_t> occurring(const Ks& ks, std::size_t most) {
   return all;
 }
 
+/// How many bits differences to the value before have, in all: what orders of magnitude cost.
+struct StepBits {
+  std::uint64_t bits = 0, before = 0;
+
+  void add(std::uint64_t k) {
+    bits += static_cast<unsigned>(std::bit_width(zigzag(k - before)));
+    before = k;
+  }
+};
+
 /// Whether ranks among the integers that occur are so much shorter that it pays to say which do.
 template <class Ks, class Rank>
 bool palette_pays(const Ks& ks, std::uint64_t top, std::size_t entries, const Rank& rank) {
-  // How many bits differences to the value before have: what orders of magnitude cost.
-  std::uint64_t plain = 0, ranked = 0, k_before = 0, rank_before = 0;
+  StepBits plain, ranked;
   for (std::size_t i = 0; i < ks.size(); ++i) {
-    const std::uint64_t k = ks[i], r = rank(k);
-    plain += static_cast<unsigned>(std::bit_width(zigzag(k - k_before)));
-    ranked += static_cast<unsigned>(std::bit_width(zigzag(r - rank_before)));
-    k_before = k;
-    rank_before = r;
+    plain.add(ks[i]);
+    ranked.add(rank(ks[i]));
   }
   const std::uint64_t entry = 4 + std::uint64_t(std::bit_width(top / entries));
-  return ranked + entry * entries + plain / 32 < plain;
+  return ranked.bits + entry * entries + plain.bits / 32 < plain.bits;
 }
 
 /// The integers that occur, if they are few and their ranks much shorter; else none. Every

@@ -17,7 +17,7 @@ bool are_unit_vectors(const AttributeView& a) {
   if (a.components != 3 || !is_float(a.scalar) || count == 0) return false;
   for (std::size_t i = 0; i < count; ++i) {
     const Vector3 v = vector_at(a.scalar, a.value(i));
-    // Large ones are told by one component, so that no square overflows.
+    // One component shows that a vector is too long, so that no square overflows.
     if (!(std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])}) < 2)) return false;
     if (!(std::fabs(std::sqrt(dot(v, v)) - 1) <= 1e-3)) return false;
   }

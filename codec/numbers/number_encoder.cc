@@ -193,38 +193,25 @@ NumberedValues put_into_octahedral(std::span<const std::byte> values, Scalar sca
   return out;
 }
 
-/// A component of values in a system.
-EncodedColumn column_in(const NumberSystem& system, std::span<const std::byte> values,
-                        const Component& place, int level, Integers integers = Integers::as_coded) {
-  return with_number_type(place.scalar, [&](auto type) {
-    using T = decltype(type);
-    const auto numbers = words_of<T>(values, place);
-    return with_map<T>(system, place.scalar, [&](const auto& map) {
-      return encode_column<T>(place_column<T>(std::span(numbers), system, map), map, level,
-                              integers);
-    });
+/// The numbers of a component in a system.
+template <class T>
+EncodedColumn column_in(const NumberSystem& system, std::span<const WordOf<T>> numbers,
+                        Scalar scalar, int level, Integers integers = Integers::as_coded) {
+  return with_map<T>(system, scalar, [&](const auto& map) {
+    return encode_column<T>(place_column<T>(numbers, system, map), map, level, integers);
   });
 }
 
-/// How many bits differences to the value before have, in all: what orders of magnitude cost.
-std::uint64_t bits_of_steps(const std::vector<std::uint64_t>& ks) {
-  std::uint64_t bits = 0, before = 0;
-  for (const std::uint64_t k : ks) {
-    bits += static_cast<unsigned>(std::bit_width(zigzag(k - before)));
-    before = k;
-  }
-  return bits;
-}
-
-/// About how many bits a column takes, its integers by their differences.
+/// About how many bits a column takes, its integers, or their ranks, by their differences.
 std::uint64_t about_bits(const EncodedColumn& column) {
   const auto& palette = column.header.axis.palette;
-  std::vector<std::uint64_t> ks = column.ks;
-  if (!palette.empty())
-    for (std::uint64_t& k : ks)
-      k = static_cast<std::uint64_t>(std::lower_bound(palette.begin(), palette.end(), k) -
-                                     palette.begin());
-  return bits_of_steps(ks) +
+  StepBits steps;
+  for (const std::uint64_t k : column.ks)
+    steps.add(palette.empty()
+                  ? k
+                  : static_cast<std::uint64_t>(std::lower_bound(palette.begin(), palette.end(), k) -
+                                               palette.begin()));
+  return steps.bits +
          8 * (column.palette.size() + column.refinements.size() + column.strays.bytes.size());
 }
 
@@ -268,7 +255,11 @@ NumberedValues put_into_systems(std::span<const std::byte> values, Scalar scalar
     return put_into_octahedral(values, scalar, systems[0].precision);
   std::vector<EncodedColumn> columns;
   for (std::size_t c = 0; c < systems.size(); ++c)
-    columns.push_back(column_in(systems[c], values, {scalar, systems.size(), c}, level, integers));
+    with_number_type(scalar, [&](auto type) {
+      using T = decltype(type);
+      const auto words = words_of<T>(values, {scalar, systems.size(), c});
+      columns.push_back(column_in<T>(systems[c], words, scalar, level, integers));
+    });
   return numbered(columns, scalar);
 }
 
@@ -276,19 +267,20 @@ NumberedValues number_values(std::span<const std::byte> values, Scalar scalar,
                              std::size_t components, int level) {
   const DoublePrecision doubles;
   std::vector<EncodedColumn> columns;
-  for (std::size_t c = 0; c < components; ++c) {
-    const Component place{scalar, components, c};
-    const auto systems = with_number_type(scalar, [&](auto type) {
+  for (std::size_t c = 0; c < components; ++c)
+    with_number_type(scalar, [&](auto type) {
       using T = decltype(type);
-      const auto words = words_of<T>(values, place);
-      if (level < 5) return std::vector{find_system<T>(words, Search::quick)};
-      return find_systems<T>(words, Search::thorough);
+      const auto words = words_of<T>(values, {scalar, components, c});
+      if (level < 5) {
+        columns.push_back(column_in<T>(find_system<T>(words, Search::quick), words, scalar, level));
+        return;
+      }
+      const auto systems = find_systems<T>(words, Search::thorough);
+      columns.push_back(column_in<T>(systems[0], words, scalar, level));
+      if (systems.size() < 2) return;
+      EncodedColumn other = column_in<T>(systems[1], words, scalar, level);
+      if (about_bits(other) < about_bits(columns.back())) columns.back() = std::move(other);
     });
-    columns.push_back(column_in(systems[0], values, place, level));
-    if (systems.size() < 2) continue;
-    EncodedColumn other = column_in(systems[1], values, place, level);
-    if (about_bits(other) < about_bits(columns.back())) columns.back() = std::move(other);
-  }
   return numbered(columns, scalar);
 }
 
