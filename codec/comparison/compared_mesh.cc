@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "codec/base/by_element.h"
 #include "codec/base/check.h"
 
 namespace clers::internal {
@@ -79,17 +80,6 @@ Attribute unit_vectors(const Attribute& a) {
   return unit;
 }
 
-/// The values of elements, one each; of those that have none, zeros.
-Attribute expanded(const Attribute& a) {
-  Attribute result{a.name, a.domain, a.scalar, a.components, {}};
-  const std::size_t stride = a.stride();
-  result.data.resize(a.indices.size() * stride);
-  for (std::size_t i = 0; i < a.indices.size(); ++i)
-    if (a.indices[i] != no_value)
-      std::memcpy(result.data.data() + i * stride, a.data.data() + a.indices[i] * stride, stride);
-  return result;
-}
-
 void add_near(const Attribute& x, const Attribute& y, double tolerance, ErrorMeasure measure,
               Nearness nearness, std::vector<Colour>& colours_x, std::vector<Colour>& colours_y) {
   if (measure == ErrorMeasure::angle) {
@@ -122,7 +112,7 @@ void colour_domain(ComparedMesh& a, ComparedMesh& b, Domain domain, Nearness nea
       add_near(x, y, *a.tolerance[k], a.measure[k], nearness, of_a, of_b);
       continue;
     }
-    add_near(x.indices.empty() ? x : expanded(x), y.indices.empty() ? y : expanded(y),
+    add_near(x.indices.empty() ? x : by_element(x), y.indices.empty() ? y : by_element(y),
              *a.tolerance[k], a.measure[k], nearness, of_a, of_b);
     add_missing(x, of_a);
     add_missing(y, of_b);

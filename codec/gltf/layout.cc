@@ -52,12 +52,7 @@ class LayoutReader {
 
  private:
   Expected<Done> each(const char* key, std::string (LayoutReader::*read)(const Json&)) {
-    const auto list = list_of(document_, key);
-    if (!list) return Failure{list.error()};
-    for (std::size_t i = 0; i < (*list)->size(); ++i)
-      if (std::string fault = (this->*read)((**list)[i]); !fault.empty())
-        return malformed(key, i, std::move(fault));
-    return Done{};
+    return read_each(document_, key, [&](const Json& json) { return (this->*read)(json); });
   }
 
   std::string buffer(const Json& json) {

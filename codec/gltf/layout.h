@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "codec/gltf/json.h"
@@ -84,6 +85,17 @@ Failure<Error> malformed(std::string where, std::size_t index, std::string what)
 
 /// The member of that name, an array of objects; an empty one if there is none. Errors: malformed.
 Expected<const std::vector<Json>*> list_of(const Json& document, const char* key);
+
+/// Calls read, which returns what is wrong, with each of these objects. Errors: malformed.
+template <class Read>
+Expected<Done> read_each(const Json& document, const char* key, Read read) {
+  const auto list = list_of(document, key);
+  if (!list) return Failure{list.error()};
+  for (std::size_t i = 0; i < (*list)->size(); ++i)
+    if (std::string fault = read((**list)[i]); !fault.empty())
+      return malformed(key, i, std::move(fault));
+  return Done{};
+}
 
 /// An index or a size that is a member of an object; `otherwise` if there is none. Sets `fault`.
 std::uint64_t member(const Json& object, const char* key, std::uint64_t otherwise,

@@ -26,12 +26,7 @@ class UseReader {
 
  private:
   Expected<Done> each(const char* key, std::string (UseReader::*read)(const Json&)) {
-    const auto list = list_of(document_, key);
-    if (!list) return Failure{list.error()};
-    for (std::size_t i = 0; i < (*list)->size(); ++i)
-      if (std::string fault = (this->*read)((**list)[i]); !fault.empty())
-        return malformed(key, i, std::move(fault));
-    return Done{};
+    return read_each(document_, key, [&](const Json& json) { return (this->*read)(json); });
   }
 
   /// The accessor that a member names; none if there is no such member. Sets `fault`.

@@ -71,7 +71,7 @@ inline constexpr std::string_view stl_bits_name = "stl.bits";
 /// The attribute without sharing, value i that of element i. Its indices are left only where some
 /// elements have no value; these have zeros.
 Attribute expanded(const Attribute& attribute);
-/// How many elements have no value. Precondition: expanded.
+/// How many elements have no value.
 std::uint64_t missing(const Attribute& attribute);
 /// Notes elements without a value, for which a format has no other.
 void note_zeros(Notes& notes, const Attribute& attribute, std::uint64_t count);

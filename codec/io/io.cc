@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstring>
 #include <set>
 
+#include "codec/base/by_element.h"
 #include "codec/base/guarded.h"
 #include "codec/base/kind_defect.h"
 #include "codec/base/utf8.h"
@@ -209,17 +209,8 @@ void note_left_out(Notes& notes, std::uint64_t count, std::string_view one, std:
 
 Attribute expanded(const Attribute& attribute) {
   if (attribute.indices.empty()) return attribute;
-  Attribute a{attribute.name, attribute.domain, attribute.scalar, attribute.components, {}, {}};
-  const std::size_t stride = a.stride(), count = attribute.indices.size();
-  a.data.resize(count * stride);
-  bool all = true;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint32_t value = attribute.indices[i];
-    all &= value != no_value;
-    if (value != no_value)
-      std::memcpy(a.data.data() + i * stride, attribute.data.data() + value * stride, stride);
-  }
-  if (!all) a.indices = attribute.indices;
+  Attribute a = internal::by_element(attribute);
+  if (missing(attribute) > 0) a.indices = attribute.indices;
   return a;
 }
 
