@@ -27,6 +27,8 @@ constexpr Text precondition_texts[precondition_count] = {
     {"leave_one_vertex", "half-edge"},
     {"one_sharp_edge", "face"},
     {"tri_quad", "half-edge"},
+    {"refined_vertex", "vertex"},
+    {"levels_left", "half-edge"},
 };
 
 constexpr Text invariant_texts[invariant_count] = {

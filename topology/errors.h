@@ -26,8 +26,10 @@ enum class Precondition : std::uint8_t {
   leave_one_vertex,       ///< both half-edges leave one vertex (split_vertex)
   one_sharp_edge,         ///< the face has at most one edge that is trisected (modeling/sqrt3.h)
   tri_quad,               ///< the edge is half-edge 1 on both sides (modeling/four_eight.h)
+  refined_vertex,         ///< the vertex is not of the base mesh (modeling/multi_triangulation.h)
+  levels_left,            ///< the new vertex's level is at most max_level (the same)
 };
-inline constexpr unsigned precondition_count = 15;
+inline constexpr unsigned precondition_count = 17;
 
 /// A precondition that does not hold: which, and at which face, half-edge or vertex. Nothing was
 /// changed.

@@ -20,23 +20,39 @@ Result<Done, Violation> check_tri_quad(const Surface& surface) {
   return Done{};
 }
 
-std::vector<HalfEdge> pair_faces(const Surface& surface, const Creases& creases,
-                                 std::span<const HalfEdge> edges, std::span<const double> lengths) {
+Clusters cluster_faces(const Surface& surface, const Creases& creases,
+                       std::span<const HalfEdge> edges, std::span<const double> lengths,
+                       std::span<const HalfEdge> quads) {
+  std::vector<bool> taken(surface.face_limit());
+  Clusters clusters;
+  const auto take = [&](HalfEdge h) {
+    for (const HalfEdge side : surface.star(h)) taken[left(side).index()] = true;
+    clusters.pairs.push_back(h);
+  };
+  if (!quads.empty()) {
+    for (const HalfEdge h : quads) take(h);
+    std::vector<bool> mixed;  // by component: some face is of no quadrilateral
+    const auto of = [&](Face f) -> std::size_t { return surface.component(f).index(); };
+    for (const Face f : surface.faces()) {
+      if (of(f) >= mixed.size()) mixed.resize(of(f) + 1);
+      if (!taken[f.index()]) mixed[of(f)] = true;
+    }
+    std::erase_if(clusters.pairs, [&](HalfEdge h) { return !mixed[of(left(h))]; });
+  }
   std::vector<std::uint32_t> order(edges.size());
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return lengths[a] > lengths[b]; });
-  std::vector<bool> taken(surface.face_limit());
-  std::vector<HalfEdge> pairs;
   for (const std::uint32_t i : order) {
     const HalfEdge h = edges[i];
     if (creases.is_sharp(surface, h)) continue;
     const Face f = left(h), g = left(surface.sym(h));
     if (f == g || taken[f.index()] || taken[g.index()]) continue;
-    taken[f.index()] = taken[g.index()] = true;
-    pairs.push_back(h);
+    take(h);
   }
-  return pairs;
+  for (const Face f : surface.faces())
+    if (!taken[f.index()]) clusters.single.push_back(f);
+  return clusters;
 }
 
 void four_eight_vertex_mask(const Surface& surface, const Creases& creases, Vertex v,

@@ -21,41 +21,51 @@ bool is_split_edge(const Surface& surface, HalfEdge h);
 /// The first edge that keeps the surface from being a tri-quad mesh: `tri_quad`.
 Result<Done, Violation> check_tri_quad(const Surface& surface);
 
-/// Edges whose pairs of faces do not overlap, the longest edges first: the clusters of Program 5.
-/// No edge of a pair is sharp. `lengths` by edge of `edges`; equal ones in the order of edges.
-std::vector<HalfEdge> pair_faces(const Surface& surface, const Creases& creases,
-                                 std::span<const HalfEdge> edges, std::span<const double> lengths);
+/// Edges whose pairs of faces do not overlap: the clusters of Program 5. First those of `quads`,
+/// then the longest, of which none is sharp, nor of a component that `quads` fill: there the
+/// quadrilaterals are blocks as they are. `lengths` by edge of `edges`; equal ones in the order of
+/// edges.
+struct Clusters {
+  std::vector<HalfEdge> pairs;
+  std::vector<Face> single;
+};
+Clusters cluster_faces(const Surface& surface, const Creases& creases,
+                       std::span<const HalfEdge> edges, std::span<const double> lengths,
+                       std::span<const HalfEdge> quads);
 
 /// Makes any surface a tri-quad mesh (Program 5): splits the edge of every pair, and every face
 /// that is in none, so that all old edges but those of pairs are split edges. New vertices are at
 /// the mean of the ends or corners, on the null point. F faces in p pairs become 3F - 2p.
 ///
-/// `length(surface, h)`: a double. Preconditions: `ids_left`; the geometry has values of all
-/// vertices. Memory: as subdivide_4_8. Cost: O(F log F). Ids: all stay valid.
+/// `quads`: blocks that are there already, by their split edges (base_mesh.h makes them of
+/// quadrilaterals). A component that is made of them alone stays as it is (§5: "bypass"). Elsewhere
+/// they are pairs before all others: an edge is a split edge on both sides or on none, so beside a
+/// triangle that was split a quadrilateral must be, too.
+///
+/// `length(surface, h)`: a double. Preconditions: `tri_quad` of quads, which share no face;
+/// `ids_left`; the geometry has values of all vertices. Memory: as subdivide_4_8. Cost: O(F log F).
+/// Ids: all stay valid.
 template <class Geometry, class Length>
 Result<Done, Violation> make_tri_quad(Surface& surface, Geometry& geometry, Creases& creases,
-                                      Length&& length) {
+                                      Length&& length, std::span<const HalfEdge> quads = {}) {
   if (surface.characteristic().f > std::int64_t{max_faces} / 3)
     return Failure{Violation{Precondition::ids_left, max_faces}};
+  for (const HalfEdge h : quads)
+    if (!surface.is_live(h) || !is_split_edge(surface, h))
+      return Failure{Violation{Precondition::tri_quad, h.index()}};
   const std::vector<HalfEdge> edges = edges_of(surface);
   std::vector<double> lengths;
   lengths.reserve(edges.size());
   for (const HalfEdge h : edges) lengths.push_back(length(surface, h));
-  const std::vector<HalfEdge> pairs = pair_faces(surface, creases, edges, lengths);
+  const Clusters clusters = cluster_faces(surface, creases, edges, lengths, quads);
 
-  std::vector<Face> single;
-  std::vector<bool> paired(surface.face_limit());
-  for (const HalfEdge h : pairs)
-    paired[left(h).index()] = paired[left(surface.sym(h)).index()] = true;
-  for (const Face f : surface.faces())
-    if (!paired[f.index()]) single.push_back(f);
   std::vector<Term> mask;
-  for (const HalfEdge h : pairs) {
+  for (const HalfEdge h : clusters.pairs) {
     mask = {{surface.org(h), 0.5}, {surface.dest(h), 0.5}};
     auto value = geometry.combine(mask);
     geometry.set(*creases.split(surface, h, Point()), std::move(value));
   }
-  for (const Face f : single) {
+  for (const Face f : clusters.single) {
     face_mask(surface, f, mask);
     auto value = geometry.combine(mask);
     geometry.set(*creases.split(surface, f, Point()), std::move(value));
