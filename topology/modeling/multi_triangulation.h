@@ -86,8 +86,17 @@ class MultiTriangulation {
   bool can_weld(Vertex v) const {
     return level(v) != 0 && surface_.corner_count(v) == (surface_.is_boundary(v) ? 2u : 4u);
   }
-  /// How many splits refine(h) needs, its own among them. O(level).
-  unsigned splits(HalfEdge h) const;
+  /// How many splits refine(h) needs, its own among them, and how many faces they make. O(level).
+  struct Growth {
+    unsigned splits = 0, faces = 0;
+  };
+  Growth growth(HalfEdge h) const;
+  unsigned splits(HalfEdge h) const { return growth(h).splits; }
+  /// Would refine(h) make more faces than this? O(1) but where few are left.
+  bool makes_more_faces(HalfEdge h, std::int64_t left) const {
+    constexpr std::int64_t most = 2 * (2 * (max_level + 1) + 1);
+    return left < most && left < growth(h).faces;
+  }
 
   /// Puts a vertex on an edge (Program 1): splits first, from the coarsest on, what keeps the edge
   /// from being the split edge of its faces. Returns the vertex.
