@@ -40,6 +40,8 @@ struct Counting {
   Adapted& done;
   Observer& next;
 
+  void reserve(const Surface& surface) requires requires { next.reserve(surface); }
+  { next.reserve(surface); }
   void operator()(const Change& change) requires std::is_invocable_v<Observer&, const Change&> {
     next(change);
   }

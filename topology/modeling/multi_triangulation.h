@@ -49,7 +49,9 @@ struct Simplified {
 /// `const Refined&`, `const Simplified&` and `const Change&` (follow.h), and is called after every
 /// split and weld, those of neighbours too; Change comes first. One that is callable with none is
 /// refused by the compiler; NoObserver costs nothing. If an observer throws, the operator that it
-/// was called for has been applied.
+/// was called for has been applied. One that keeps values by element may have `reserve(const
+/// Surface&)`, too, called before each split, which makes two faces and a vertex at most: if that
+/// throws, nothing has been applied.
 ///
 /// When memory runs out, refine and simplify throw std::bad_alloc: the mesh is valid, some of the
 /// neighbours that had to go first may be split or welded.
@@ -142,6 +144,7 @@ Vertex MultiTriangulation::split(HalfEdge h, Observer&& observer) {
   const std::uint8_t finer = static_cast<std::uint8_t>(level(left(h)) + 1);
   if (level_.size() <= surface_.vertex_limit())
     level_.resize(level_.size() + level_.size() / 2 + 1);
+  if constexpr (requires { observer.reserve(surface_); }) observer.reserve(std::as_const(surface_));
   Vertex v;
   if constexpr (std::is_invocable_v<Observer&, const Change&>)
     v = *clers::split(surface_, h, Point(), [&](const Change& change) {
