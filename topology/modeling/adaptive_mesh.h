@@ -45,7 +45,7 @@ class AdaptiveMesh {
  public:
   static constexpr bool by_label = std::is_invocable_v<const Sample&, const Label&>;
 
-  explicit AdaptiveMesh(Sample sample) : sample_(std::move(sample)) {}
+  explicit AdaptiveMesh(Sample function) : sample_(std::move(function)) {}
 
   /// Makes the base mesh: quadrilaterals are blocks, triangles become some by Program 5
   /// (four_eight.h), those with the longest edges in pairs. `values` by vertex; where samples are
