@@ -124,7 +124,7 @@ TEST(AdaptiveMesh, SamplesByLabel) {
     const Vertex v(static_cast<std::uint32_t>(random()) % mesh.surface().vertex_limit());
     if (random() % 16 != 0 && mesh.surface().is_live(h) && mesh.level(h) < 15)
       (void)mesh.mesh().refine(h, observer);
-    else if (mesh.surface().is_live(v))
+    else if (mesh.surface().is_live(v) && mesh.level(v) > 3)
       (void)mesh.mesh().simplify(v, observer);
   }
   std::map<Place, Vertex> at;
