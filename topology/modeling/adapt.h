@@ -40,6 +40,8 @@ struct Counting {
   Adapted& done;
   Observer& next;
 
+  void reserve(const Surface& surface) requires requires { next.reserve(surface); }
+  { next.reserve(surface); }
   void operator()(const Change& change) requires std::is_invocable_v<Observer&, const Change&> {
     next(change);
   }
@@ -60,10 +62,8 @@ inline bool within(const AdaptationLimits& limits, const MultiTriangulation& mes
     done.level_limit = true;
     return false;
   }
-  const std::int64_t faces = mesh.surface().characteristic().f;
-  constexpr std::int64_t most = 2 * (2 * (MultiTriangulation::max_level + 1) + 1);
   const std::int64_t limit = std::min(limits.faces, max_faces);
-  if (faces > limit - most && faces > limit - 2 * std::int64_t{mesh.splits(h)}) {
+  if (mesh.makes_more_faces(h, limit - mesh.surface().characteristic().f)) {
     done.face_limit = true;
     return false;
   }

@@ -36,12 +36,16 @@ namespace CLERS_VISIBLE clers {
 /// mesh being this object; adapt.h says of what.
 ///
 /// Observers: as MultiTriangulation's, called when the new vertex has its value.
+///
+/// If `Sample` throws, the vertex is there with some other vertex's value. When memory runs out, a
+/// split that was not made changes no value; if a copy of a Value throws, `read` must be called
+/// again.
 template <class Value, class Sample>
 class AdaptiveMesh {
  public:
   static constexpr bool by_label = std::is_invocable_v<const Sample&, const Label&>;
 
-  explicit AdaptiveMesh(Sample sample) : sample_(std::move(sample)) {}
+  explicit AdaptiveMesh(Sample function) : sample_(std::move(function)) {}
 
   /// Makes the base mesh: quadrilaterals are blocks, triangles become some by Program 5
   /// (four_eight.h), those with the longest edges in pairs. `values` by vertex; where samples are
@@ -54,7 +58,8 @@ class AdaptiveMesh {
   Result<Done, Violation> read(PolygonSurface base, std::vector<Value> values, Length&& length) {
     mesh_.reset(), labels_.reset();
     values_ = std::move(values);
-    const std::uint32_t given = base.surface.vertex_limit();
+    std::vector<bool> given(base.surface.vertex_limit());
+    for (const Vertex v : base.surface.vertices()) given[v.index()] = true;
     Creases none;
     Base geometry{*this};
     const auto between = [&](const Surface& s, HalfEdge h) {
@@ -69,7 +74,8 @@ class AdaptiveMesh {
     if constexpr (by_label) {
       labels_.emplace(*mesh_);
       for (const Vertex v : mesh_->surface().vertices())
-        if (v.index() >= given) values_[v.index()] = sample_(labels_->of(*mesh_, v));
+        if (v.index() >= given.size() || !given[v.index()])
+          values_[v.index()] = sample_(labels_->of(*mesh_, v));
     }
     return Done{};
   }
@@ -124,6 +130,10 @@ class AdaptiveMesh {
    public:
     Follow(AdaptiveMesh& mesh, Next& next) : mesh_(mesh), next_(next) {}
 
+    void reserve(const Surface& surface) {
+      mesh_.reserve(surface);
+      if constexpr (requires { next_.reserve(surface); }) next_.reserve(surface);
+    }
     void operator()(const Change& change) requires std::is_invocable_v<Next&, const Change&> {
       next_(change);
     }
@@ -167,13 +177,19 @@ class AdaptiveMesh {
     else
       values_.push_back(std::move(value));  // ids are given in order
   }
+  void reserve(const Surface& surface) {
+    if (values_.size() <= surface.vertex_limit())
+      internal::reserve_more(values_, surface.vertex_limit() + std::size_t{1} - values_.size());
+    if constexpr (by_label) labels_->reserve(surface);
+  }
   void refined(const Refined& refined) {
-    if constexpr (by_label) {
-      labels_->refined(surface(), refined);
-      set(refined.made, sample_(labels_->of(*mesh_, refined.made)));
-    } else {
-      set(refined.made, sample_((*this)[refined.a], (*this)[refined.b]));
-    }
+    const Vertex v = refined.made;
+    if constexpr (by_label) labels_->refined(surface(), refined);
+    if (v.index() == values_.size()) values_.push_back(values_[refined.a.index()]);
+    if constexpr (by_label)
+      values_[v.index()] = sample_(labels_->of(*mesh_, v));
+    else
+      values_[v.index()] = sample_((*this)[refined.a], (*this)[refined.b]);
   }
   void simplified(const Simplified& simplified) {
     if constexpr (by_label) labels_->simplified(surface(), simplified);

@@ -2,6 +2,7 @@
 #ifndef CLERS_TOPOLOGY_MODELING_BASE_MESH_H
 #define CLERS_TOPOLOGY_MODELING_BASE_MESH_H
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -23,8 +24,8 @@ struct PolygonSurface {
 /// The surface of polygons given by their sizes and all corners one after the other,
 /// counterclockwise: `n` vertices. A quadrilateral (a b c d) is cut from b to d into (a b d) and
 /// (c d b), or from a to c into (b c a) and (d a c) where `across(a, b, c, d)` is true: if a-c is
-/// shorter, say. Larger polygons are cut from their first corner. Faces are in the order of
-/// polygons, vertex i is on point i.
+/// shorter, say; it is called with vertices below n only. Larger polygons are cut from their first
+/// corner. Faces are in the order of polygons, vertex i is on point i.
 ///
 /// Errors: `array_sizes` if sizes below 3 occur or do not add up (element: the polygon, or their
 /// number); else as Surface::from_faces, of the triangles. Cost: O(corners + n + B log B).
@@ -45,7 +46,8 @@ Result<PolygonSurface, BrokenRule> surface_of_polygons(std::span<const std::uint
     };
     if (v.size() == 4) {
       quads.push_back(half_edge(Face(static_cast<std::uint32_t>(triangles.size() / 3)), 1));
-      const unsigned turn = across(v[0], v[1], v[2], v[3]) ? 1 : 0;
+      const bool known = std::max(std::max(v[0], v[1]), std::max(v[2], v[3])) < n;
+      const unsigned turn = known && across(v[0], v[1], v[2], v[3]) ? 1 : 0;
       add(v[turn], v[turn + 1], v[(turn + 3) % 4]);
       add(v[turn + 2], v[(turn + 3) % 4], v[turn + 1]);
     } else {

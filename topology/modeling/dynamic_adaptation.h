@@ -34,15 +34,20 @@ class Waiting {
     heap_.push_back({priority, id, ++turn_[id]});
     std::push_heap(heap_.begin(), heap_.end());
   }
+  struct Entry {
+    double priority = 0;
+    std::uint32_t id = 0, turn = 0;
+    bool operator<(const Entry& o) const {
+      return priority != o.priority ? priority < o.priority : id > o.id;
+    }
+  };
   /// Takes the next out; false if there is none.
-  bool take(std::uint32_t& id) {
+  bool take(Entry& next) {
     while (!heap_.empty()) {
       std::pop_heap(heap_.begin(), heap_.end());
-      const Entry entry = heap_.back();
+      next = heap_.back();
       heap_.pop_back();
-      if (turn_[entry.id] != entry.turn) continue;
-      id = entry.id;
-      return true;
+      if (turn_[next.id] == next.turn) return true;
     }
     return false;
   }
@@ -52,13 +57,6 @@ class Waiting {
   }
 
  private:
-  struct Entry {
-    double priority;
-    std::uint32_t id, turn;
-    bool operator<(const Entry& o) const {
-      return priority != o.priority ? priority < o.priority : id > o.id;
-    }
-  };
   std::vector<Entry> heap_;
   std::vector<std::uint32_t> turn_;  // by id
 };
@@ -88,10 +86,12 @@ class Seen {
 ///
 /// `Priority` is callable with (mesh, HalfEdge), a split edge as in adapt_refine: how much its
 /// block wants to be split; and with (mesh, Vertex), one that can_weld: that of the block its weld
-/// would restore. It may depend on values at the block's corners or the vertex and its neighbours.
-/// After such a value has changed, call `changed`. NaN: neither split nor welded.
+/// would restore, so that what was split for the one is not welded for the other. It may depend on
+/// values at the corners of the edge's one or two faces, or at the vertex and its neighbours. After
+/// such a value has changed, call `changed`. NaN: neither split nor welded.
 ///
-/// The mesh must not be refined or simplified but through this object as long as it lives.
+/// The mesh must not be refined or simplified but through this object as long as it lives. After an
+/// exception from `adapt` everything counts as changed.
 template <class Priority>
 class DynamicAdaptation {
  public:
@@ -114,34 +114,41 @@ class DynamicAdaptation {
 
   /// Simplifies and refines until no edge is above its threshold and no vertex that can be welded
   /// below (Algorithm 6), or a limit stands against it. What a limit stopped is tried again in the
-  /// next call.
+  /// next call. Where the priority of a vertex is not that of the block its weld restores, vertices
+  /// just made may be below: the next call welds them, or this one if it refines first.
   ///
-  /// Observer: as MultiTriangulation's. Cost: a priority for every split edge and vertex near a
-  /// change, O(log n) for each split or weld, where n are waiting.
+  /// Observer: as MultiTriangulation's. Cost: a priority for every split edge and vertex around a
+  /// vertex reported as changed and around a split or weld, O(log n) for each that is waiting, of n
+  /// that are. If nothing was reported and no limit stopped the last call, O(1).
   template <class Observer = NoObserver>
   Adapted adapt(const AdaptationLimits& limits = {}, Observer&& observer = {},
                 AdaptationOrder order = AdaptationOrder::simplify_first) {
     Adapted done;
+    if (std::exchange(unfinished_, true)) all_changed();
     look();
     if (order == AdaptationOrder::refine_first) refine(limits, done, observer);
     simplify(done, observer);
     refine(limits, done, observer);
+    unfinished_ = false;
     return done;
   }
 
  private:
   const Surface& surface() const { return mesh_.surface(); }
 
+  /// What stands for the split edge of a face in the queue: the side with the lower id where it is
+  /// that of both faces.
+  HalfEdge standing_for(Face f) const {
+    const HalfEdge h = MultiTriangulation::split_edge(f);
+    return mesh_.is_block(h) ? surface().edge(h) : h;
+  }
   // Puts an element into its queue if it is beyond the threshold now, else out of it.
-  void look_at(Face f) {
-    HalfEdge h = MultiTriangulation::split_edge(f);
-    if (mesh_.is_block(h)) h = surface().edge(h);
+  void look_at(HalfEdge h) {
     const double p = priority_(std::as_const(mesh_), h);
     p > thresholds_.refine ? to_split_.put(left(h).index(), p) : to_split_.drop(left(h).index());
   }
   void look_at(Vertex v) {
-    if (!mesh_.can_weld(v)) return;
-    const double p = priority_(std::as_const(mesh_), v);
+    const double p = mesh_.can_weld(v) ? priority_(std::as_const(mesh_), v) : thresholds_.simplify;
     p < thresholds_.simplify ? to_weld_.put(v.index(), -p) : to_weld_.drop(v.index());
   }
 
@@ -150,12 +157,9 @@ class DynamicAdaptation {
     if (all_) {
       for (const Vertex v : surface().vertices()) look_at(v);
       for (const Face f : surface().faces())
-        if (const HalfEdge h = MultiTriangulation::split_edge(f);
-            !mesh_.is_block(h) || surface().edge(h) == h)
-          look_at(f);
+        if (const HalfEdge h = standing_for(f); left(h) == f) look_at(h);
     } else {
-      seen_faces_.clear(surface().face_limit());
-      seen_vertices_.clear(surface().vertex_limit());
+      if (!changed_.empty()) begin_seeing();
       for (const Vertex v : changed_)
         if (surface().is_live(v)) look_around(v);
     }
@@ -163,61 +167,81 @@ class DynamicAdaptation {
     changed_.clear();
   }
   void look_around(Vertex v) {
-    if (seen_vertices_.first_time(v.index())) look_at(v);
-    for (const Vertex u : surface().adjacent_vertices(v))
-      if (seen_vertices_.first_time(u.index())) look_at(u);
+    see(v);
+    for (const Vertex u : surface().adjacent_vertices(v)) see(u);
     for (const HalfEdge h : surface().fan(v)) {
-      if (seen_faces_.first_time(left(h).index())) look_at(left(h));
-      // v is a corner of the block beyond, too.
-      const HalfEdge beyond = surface().sym(lnext(h));
-      if (beyond && corner(beyond) == 1 && seen_faces_.first_time(left(beyond).index()))
-        look_at(left(beyond));
+      see(left(h));
+      // v is a corner of the face beyond the edge opposite, too.
+      see_beyond(lnext(h));
     }
+  }
+  // Each once since begin_seeing.
+  void begin_seeing() {
+    seen_faces_.clear(surface().face_limit());
+    seen_vertices_.clear(surface().vertex_limit());
+  }
+  void see(Vertex v) {
+    if (seen_vertices_.first_time(v.index())) look_at(v);
+  }
+  void see(Face f) {
+    if (const HalfEdge h = standing_for(f); seen_faces_.first_time(left(h).index())) look_at(h);
+  }
+  void see_beyond(HalfEdge h) {
+    const HalfEdge beyond = surface().sym(h);
+    if (beyond && corner(beyond) == 1) see(left(beyond));
   }
 
   template <class Observer>
   void simplify(Adapted& done, Observer& observer) {
-    std::uint32_t id = 0;
-    while (to_weld_.take(id)) {
-      const Vertex v(id);
+    internal::Waiting::Entry next;
+    while (to_weld_.take(next)) {
+      const Vertex v(next.id);
       if (!surface().is_live(v) || !mesh_.can_weld(v)) continue;
       const HalfEdge edge = *mesh_.simplify(v, internal::Counting<Observer>{done, observer});
+      // Its block; those on its sides, which are no blocks any more; and corners.
+      look_at(surface().edge(edge));
       for (const HalfEdge side : surface().star(edge)) {
-        look_at(left(side));
-        for (const HalfEdge h : surface().star(left(side))) look_at(surface().org(h));
+        look_at(surface().org(side));
+        look_at(surface().org(lprev(side)));
+        if (surface().is_boundary(side)) look_at(surface().dest(side));
+        for (const HalfEdge rim : {lnext(side), lprev(side)}) {
+          const HalfEdge beyond = surface().sym(rim);
+          if (beyond && corner(beyond) == 1) look_at(beyond);
+        }
       }
     }
   }
 
   template <class Observer>
   void refine(const AdaptationLimits& limits, Adapted& done, Observer& observer) {
-    std::vector<Face> stopped;
-    std::uint32_t id = 0;
-    while (to_split_.take(id)) {
-      const Face f(id);
+    std::vector<internal::Waiting::Entry> stopped;
+    internal::Waiting::Entry next;
+    while (to_split_.take(next)) {
+      const Face f(next.id);
       if (!surface().is_live(f)) continue;
       const HalfEdge h = MultiTriangulation::split_edge(f);
-      if (mesh_.is_block(h) && surface().edge(h) != h) continue;  // it waits as its other side
+      if (standing_for(f) != h) continue;  // it waits as its other side
       if (!internal::within(limits, mesh_, h, done)) {
-        stopped.push_back(f);
+        stopped.push_back(next);
         continue;
       }
       made_.clear();
       auto note = [&](const Refined& refined) { made_.push_back(refined.made); };
       (void)mesh_.refine(h, Both<Observer, decltype(note)>(done, observer, note));
+      begin_seeing();
       for (const Vertex v : made_) {
-        for (const HalfEdge side : surface().fan(v)) look_at(left(side));
-        changed(v);
+        see(v);
+        for (const HalfEdge side : surface().fan(v)) see(left(side));
       }
     }
-    for (const Face f : stopped) changed(mesh_.weld_vertex(f));
+    for (const internal::Waiting::Entry& entry : stopped) to_split_.put(entry.id, entry.priority);
   }
 
   template <class Observer, class Note>
   struct Both : internal::Counting<Observer> {
     Note& note;
-    Both(Adapted& done, Observer& next, Note& n)
-        : internal::Counting<Observer>{done, next}, note(n) {}
+    Both(Adapted& adapted, Observer& observer, Note& n)
+        : internal::Counting<Observer>{adapted, observer}, note(n) {}
     using internal::Counting<Observer>::operator();
     void operator()(const Refined& refined) {
       internal::Counting<Observer>::operator()(refined);
@@ -233,6 +257,7 @@ class DynamicAdaptation {
   std::vector<Vertex> made_;
   internal::Seen seen_faces_, seen_vertices_;
   bool all_ = true;
+  bool unfinished_ = false;  // an exception ended the last call
 };
 
 }  // namespace clers

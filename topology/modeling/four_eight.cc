@@ -30,7 +30,8 @@ Clusters cluster_faces(const Surface& surface, const Creases& creases,
     clusters.pairs.push_back(h);
   };
   if (!quads.empty()) {
-    for (const HalfEdge h : quads) take(h);
+    for (const HalfEdge h : quads)
+      if (!taken[left(h).index()]) take(h);
     std::vector<bool> mixed;  // by component: some face is of no quadrilateral
     const auto of = [&](Face f) -> std::size_t { return surface.component(f).index(); };
     for (const Face f : surface.faces()) {

@@ -42,9 +42,9 @@ Clusters cluster_faces(const Surface& surface, const Creases& creases,
 /// they are pairs before all others: an edge is a split edge on both sides or on none, so beside a
 /// triangle that was split a quadrilateral must be, too.
 ///
-/// `length(surface, h)`: a double. Preconditions: `tri_quad` of quads, which share no face;
-/// `ids_left`; the geometry has values of all vertices. Memory: as subdivide_4_8. Cost: O(F log F).
-/// Ids: all stay valid.
+/// `length(surface, h)`: a double. Preconditions: `tri_quad` of quads, of which each counts
+/// once, whichever side names it; `ids_left`; the geometry has values of all vertices. Memory: as
+/// subdivide_4_8. Cost: O(F log F). Ids: all stay valid.
 template <class Geometry, class Length>
 Result<Done, Violation> make_tri_quad(Surface& surface, Geometry& geometry, Creases& creases,
                                       Length&& length, std::span<const HalfEdge> quads = {}) {

@@ -48,6 +48,10 @@ class Labels {
   /// Where corner c of a live face is in that face's own block.
   Label of_corner(const MultiTriangulation& mesh, Face f, unsigned c) const;
 
+  /// Makes room for a split: then `refined` does not fail.
+  void reserve(const Surface& surface) {
+    internal::reserve_more(parts_, surface.face_limit() + std::size_t{2} - parts_.size());
+  }
   void refined(const Surface& surface, const Refined& change);
   void simplified(const Surface& surface, const Simplified& change);
 

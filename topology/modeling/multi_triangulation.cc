@@ -13,20 +13,26 @@ Result<MultiTriangulation, Violation> MultiTriangulation::over(Surface base) {
   return MultiTriangulation(std::move(base));
 }
 
-unsigned MultiTriangulation::splits(HalfEdge h) const {
-  // A split edge waits for at most one face, that beyond it; an edge that is none, for two.
-  unsigned count = 1;
-  for (const HalfEdge side : surface_.star(h)) {
-    HalfEdge edge = half_edge(left(side), 1);
-    if (edge == side) continue;
-    for (;;) {
-      ++count;
-      const HalfEdge beyond = surface_.sym(edge);
-      if (!beyond || corner(beyond) == 1) break;
-      edge = half_edge(left(beyond), 1);
+MultiTriangulation::Growth MultiTriangulation::growth(HalfEdge h) const {
+  const auto faces_at = [&](HalfEdge edge) { return surface_.is_boundary(edge) ? 1u : 2u; };
+  Growth all{1, faces_at(h)};
+  // Each face of h whose split edge is another waits for that, which waits for the face beyond if
+  // that is coarser, and so on. Both chains go through the same levels, edge by edge, and may meet.
+  std::array<HalfEdge, 2> edges;
+  std::size_t chains = 0;
+  for (const HalfEdge side : surface_.star(h))
+    if (corner(side) != 1) edges[chains++] = half_edge(left(side), 1);
+  while (chains != 0) {
+    if (chains == 2 && surface_.same_edge(edges[0], edges[1])) chains = 1;
+    std::size_t longer = 0;
+    for (std::size_t i = 0; i < chains; ++i) {
+      ++all.splits, all.faces += faces_at(edges[i]);
+      const HalfEdge beyond = surface_.sym(edges[i]);
+      if (beyond && corner(beyond) != 1) edges[longer++] = half_edge(left(beyond), 1);
     }
+    chains = longer;
   }
-  return count;
+  return all;
 }
 
 std::optional<Violation> MultiTriangulation::refuse_refine(HalfEdge h) const {
@@ -34,9 +40,7 @@ std::optional<Violation> MultiTriangulation::refuse_refine(HalfEdge h) const {
   for (const HalfEdge side : surface_.star(h))
     if (level(left(side)) + (corner(side) == 1 ? 0 : 1) >= max_level)
       return Violation{Precondition::levels_left, h.index()};
-  constexpr std::int64_t most = 2 * (2 * (max_level + 1) + 1);  // faces that one call can make
-  if (surface_.characteristic().f > max_faces - most &&
-      surface_.characteristic().f > max_faces - 2 * std::int64_t{splits(h)})
+  if (makes_more_faces(h, max_faces - surface_.characteristic().f))
     return Violation{Precondition::ids_left, max_faces};
   return std::nullopt;
 }

@@ -49,7 +49,9 @@ struct Simplified {
 /// `const Refined&`, `const Simplified&` and `const Change&` (follow.h), and is called after every
 /// split and weld, those of neighbours too; Change comes first. One that is callable with none is
 /// refused by the compiler; NoObserver costs nothing. If an observer throws, the operator that it
-/// was called for has been applied.
+/// was called for has been applied. One that keeps values by element may have `reserve(const
+/// Surface&)`, too, called before each split, which makes two faces and a vertex at most: if that
+/// throws, nothing has been applied.
 ///
 /// When memory runs out, refine and simplify throw std::bad_alloc: the mesh is valid, some of the
 /// neighbours that had to go first may be split or welded.
@@ -86,8 +88,17 @@ class MultiTriangulation {
   bool can_weld(Vertex v) const {
     return level(v) != 0 && surface_.corner_count(v) == (surface_.is_boundary(v) ? 2u : 4u);
   }
-  /// How many splits refine(h) needs, its own among them. O(level).
-  unsigned splits(HalfEdge h) const;
+  /// How many splits refine(h) needs, its own among them, and how many faces they make. O(level).
+  struct Growth {
+    unsigned splits = 0, faces = 0;
+  };
+  Growth growth(HalfEdge h) const;
+  unsigned splits(HalfEdge h) const { return growth(h).splits; }
+  /// Would refine(h) make more faces than this? O(1) but where few are left.
+  bool makes_more_faces(HalfEdge h, std::int64_t left) const {
+    constexpr std::int64_t most = 2 * (2 * (max_level + 1) + 1);
+    return left < most && left < growth(h).faces;
+  }
 
   /// Puts a vertex on an edge (Program 1): splits first, from the coarsest on, what keeps the edge
   /// from being the split edge of its faces. Returns the vertex.
@@ -133,6 +144,7 @@ Vertex MultiTriangulation::split(HalfEdge h, Observer&& observer) {
   const std::uint8_t finer = static_cast<std::uint8_t>(level(left(h)) + 1);
   if (level_.size() <= surface_.vertex_limit())
     level_.resize(level_.size() + level_.size() / 2 + 1);
+  if constexpr (requires { observer.reserve(surface_); }) observer.reserve(std::as_const(surface_));
   Vertex v;
   if constexpr (std::is_invocable_v<Observer&, const Change&>)
     v = *clers::split(surface_, h, Point(), [&](const Change& change) {
