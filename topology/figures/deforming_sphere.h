@@ -32,7 +32,7 @@ class DeformingSphere {
     double curvature = 0;  ///< the most that normals turn along an edge here, for its length
   };
   struct Criterion {
-    double turn = 0.5, longest = 0.06, shortest = 0.012;
+    double turn = 0.5, longest = 0.06, shortest = 0.02;
     double keep = 0.6;  ///< an edge is restored if it is shorter than this part of what is wanted
 
     double length(double curvature) const {
