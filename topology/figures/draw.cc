@@ -50,4 +50,6 @@ int main(int argc, char** argv) {
   save(directory, "dam07-dependencies-in-simplification.svg", dependencies_in_simplification());
   save(directory, "dam09-numbering.svg", numbering());
   save(directory, "dam10-weld-by-star.svg", weld_by_star());
+  save(directory, "dam11-brush-of-resolution.svg", brush_of_resolution());
+  save(directory, "dam-torus-by-label.svg", torus_by_label());
 }

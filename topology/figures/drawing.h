@@ -64,6 +64,8 @@ std::string weld_by_star();
 std::string dependencies();
 // shaded_figures.cc.
 std::string deforming_sphere();
+std::string brush_of_resolution();
+std::string torus_by_label();
 
 }  // namespace clers::figures
 

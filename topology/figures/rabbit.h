@@ -9,8 +9,8 @@
 
 namespace clers::figures {
 
-/// Where this is 0: the surface of some ellipsoids that melt into each other. Positive outside. x is
-/// forward, z up.
+/// Where this is 0: the surface of some ellipsoids that melt into each other. Positive outside. x
+/// is forward, z up.
 struct Rabbit {
   struct Potential {
     double value;

@@ -181,7 +181,8 @@ std::string Figure::svg() const {
          ".u,.d{fill:none;stroke-linecap:butt}.u{stroke:#dae8f4;stroke-width:1.6}"
          ".d{stroke-dasharray:4 3}"
          ".h{fill:none;stroke:#d1352b;stroke-width:1.8}.n{fill:#fff;stroke:#d1352b}"
-         ".s path{stroke-width:2.5}.s .o{fill:none;stroke:#1d2b36;stroke-width:9}"
+         ".s path{stroke-width:2.5}.s "
+         ".o{fill:none;stroke:#1d2b36;stroke-width:9}.q{fill:none;stroke:#d1352b;stroke-width:16}"
          "text{font:12px sans-serif;fill:#222}.k{font-size:10px}.r{fill:#d1352b}</style>\n"
          "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" +
          body_ + "</svg>\n";
