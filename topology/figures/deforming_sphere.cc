@@ -2,34 +2,10 @@
 #include "topology/figures/deforming_sphere.h"
 
 #include <algorithm>
-#include <numbers>
 #include <vector>
 
 namespace clers::figures {
 namespace {
-
-Vector operator+(const Vector& a, const Vector& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-Vector operator-(const Vector& a, const Vector& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-Vector operator*(double k, const Vector& a) {
-  return {k * a[0], k * a[1], k * a[2]};
-}
-double dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double length(const Vector& a) {
-  return std::sqrt(dot(a, a));
-}
-Vector unit(const Vector& a) {
-  const double l = length(a);
-  return l == 0 ? a : (1 / l) * a;
-}
 
 constexpr Vector centre{0.35, 0.35, 0.35};
 
@@ -37,8 +13,8 @@ constexpr Vector centre{0.35, 0.35, 0.35};
 Vector velocity(const Vector& p) {
   Vector s, c;
   for (std::size_t i = 0; i < 3; ++i) {
-    s[i] = std::sin(std::numbers::pi * p[i]);
-    c[i] = std::cos(std::numbers::pi * p[i]);
+    s[i] = sin_pi(p[i]);
+    c[i] = cos_pi(p[i]);
   }
   const Vector twice{2 * s[0] * c[0], 2 * s[1] * c[1], 2 * s[2] * c[2]};
   return {2 * s[0] * s[0] * twice[1] * twice[2], -twice[0] * s[1] * s[1] * twice[2],

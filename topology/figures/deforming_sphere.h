@@ -3,17 +3,15 @@
 #ifndef CLERS_TOPOLOGY_FIGURES_DEFORMING_SPHERE_H
 #define CLERS_TOPOLOGY_FIGURES_DEFORMING_SPHERE_H
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 
+#include "topology/figures/vector.h"
 #include "topology/modeling/adaptive_mesh.h"
 #include "topology/modeling/dynamic_adaptation.h"
 
 namespace clers::figures {
-
-using Vector = std::array<double, 3>;
 
 /// The surface is the image of the sphere of radius 0.15 about (0.35, 0.35, 0.35) under the flow of
 /// the field, equation (1). The paper tracks it as a level set; here a vertex moves with the flow,

@@ -1,5 +1,5 @@
-// Draws the figures of Topological mesh operators from surfaces on which our operators have just
-// done what is shown. usage: draw DIRECTORY
+// Draws the figures of Topological mesh operators, and of Dynamic adaptive meshes (dam), from
+// surfaces on which our operators have just done what is shown. usage: draw DIRECTORY
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -43,4 +43,13 @@ int main(int argc, char** argv) {
   save(directory, "fig12-edge-collapse.svg", edge_collapse());
   save(directory, "fig14-edgebreaker.svg", moves_of_edgebreaker());
   save(directory, "fig15-sqrt3.svg", sqrt3_rules());
+  save(directory, "fig18-dependencies.svg", dependencies());
+  save(directory, "fig19-deforming-sphere.svg", deforming_sphere());
+  save(directory, "dam05-interleaved-refinement.svg", interleaved_refinement());
+  save(directory, "dam06-dependencies-in-refinement.svg", dependencies_in_refinement());
+  save(directory, "dam07-dependencies-in-simplification.svg", dependencies_in_simplification());
+  save(directory, "dam09-numbering.svg", numbering());
+  save(directory, "dam10-weld-by-star.svg", weld_by_star());
+  save(directory, "dam11-brush-of-resolution.svg", brush_of_resolution());
+  save(directory, "dam-torus-by-label.svg", torus_by_label());
 }

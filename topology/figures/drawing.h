@@ -53,8 +53,19 @@ std::string split_boundary_edge();
 std::string flip_by_split_and_weld();
 std::string edge_collapse();
 std::string sqrt3_rules();
-// edgebreaker_figure.cc.
+// edgebreaker_figure.cc,
 std::string moves_of_edgebreaker();
+// adaptive_figures.cc,
+std::string interleaved_refinement();
+std::string dependencies_in_refinement();
+std::string dependencies_in_simplification();
+std::string numbering();
+std::string weld_by_star();
+std::string dependencies();
+// shaded_figures.cc.
+std::string deforming_sphere();
+std::string brush_of_resolution();
+std::string torus_by_label();
 
 }  // namespace clers::figures
 

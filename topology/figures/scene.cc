@@ -21,9 +21,10 @@ std::string point(const Place& p) {
 
 }  // namespace
 
-void Figure::text(double x, double y, const std::string& what, const char* anchor) {
-  body_ += "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" text-anchor=\"" + anchor + "\">" +
-           what + "</text>\n";
+void Figure::text(double x, double y, const std::string& what, const char* anchor,
+                  const char* kind) {
+  body_ += std::string("<text") + kind + " x=\"" + number(x) + "\" y=\"" + number(y) +
+           "\" text-anchor=\"" + anchor + "\">" + what + "</text>\n";
 }
 
 void Figure::line(double x0, double y0, double x1, double y1) {
@@ -51,6 +52,10 @@ void Figure::panel(const Scene& scene, const std::string& caption) {
     return 'Q' + point(middle) + ' ' + point(b);
   };
 
+  const auto has = [&](const std::vector<HalfEdge>& list, HalfEdge h) {
+    return std::find(list.begin(), list.end(), h) != list.end() ||
+           (!s.is_boundary(h) && std::find(list.begin(), list.end(), s.sym(h)) != list.end());
+  };
   // Faces and their sides from the back to the front.
   struct Drawn {
     double depth = 0;
@@ -83,19 +88,61 @@ void Figure::panel(const Scene& scene, const std::string& caption) {
     body_ += "<path fill=\"" + std::string(fill) + "\" d=\"" + path + "z\"/>\n";
     for (const HalfEdge h : s.star(f)) {
       const bool rim = s.is_boundary(h);
-      const bool marked =
-          std::find(scene.marked.begin(), scene.marked.end(), h) != scene.marked.end() ||
-          (!rim &&
-           std::find(scene.marked.begin(), scene.marked.end(), s.sym(h)) != scene.marked.end());
+      const bool marked = has(scene.marked, h);
       if (!marked && !rim) continue;
       body_ += std::string("<path class=\"") + (marked ? "m" : "b") + "\" d=\"M" +
                point(place(s.org(h))) + side(h) + "\"/>\n";
     }
   }
-  for (const Vertex v : scene.dots)
+  const auto straight = [&](const char* kind, const Place& a, const Place& b) {
     body_ +=
-        "<circle cx=\"" + number(place(v).x) + "\" cy=\"" + number(place(v).y) + "\" r=\"4\"/>\n";
-  text(middle_x, y_ + panel_height_ + 14, caption, "middle");
+        std::string("<path class=\"") + kind + "\" d=\"M" + point(a) + 'L' + point(b) + "\"/>\n";
+  };
+  for (const HalfEdge h : scene.dashed) {
+    if (has(scene.marked, h)) continue;
+    const Place a = place(s.org(h)), b = place(s.dest(h));
+    const double dx = b.x - a.x, dy = b.y - a.y, end = 1.5 / std::sqrt(dx * dx + dy * dy);
+    straight("u", {a.x + end * dx, a.y + end * dy}, {b.x - end * dx, b.y - end * dy});
+    straight("d", a, b);
+  }
+  for (const HalfEdge h : scene.arrows) {
+    // Along the side, within its face, with half a head.
+    const Place a = place(s.org(h)), b = place(s.dest(h));
+    const double dx = b.x - a.x, dy = b.y - a.y, length = std::sqrt(dx * dx + dy * dy);
+    const auto at = [&](double along, double in) {
+      return Place{a.x + (along * dx + in * dy) / length, a.y + (along * dy - in * dx) / length};
+    };
+    constexpr double in = 6, head = 9;
+    straight("h", at(0.2 * length, in), at(0.8 * length, in));
+    straight("h", at(0.8 * length - head, in + 6), at(0.8 * length, in));
+  }
+  const auto circle = [&](const Place& p, double radius, const char* kind) {
+    char size[16];
+    std::snprintf(size, sizeof size, "%g", radius);
+    body_ += std::string("<circle") + kind + " cx=\"" + number(p.x) + "\" cy=\"" + number(p.y) +
+             "\" r=\"" + size + "\"/>\n";
+  };
+  for (const Vertex v : scene.dots) circle(place(v), scene.dot_size, "");
+  for (const Note& note : scene.notes) {
+    const Place p = on_page(note.at);
+    const bool badge = note.kind == Note::Kind::badge;
+    if (badge) circle(p, 7, " class=\"n\"");
+    text(p.x, p.y + (badge ? 3.5 : 4), note.text, "middle",
+         badge                          ? " class=\"k\""
+         : note.kind == Note::Kind::red ? " class=\"r\""
+                                        : "");
+  }
+  end_panel(caption);
+}
+
+void Figure::panel(const std::string& shaded, const std::string& caption) {
+  body_ += "<g class=\"s\" transform=\"translate(" + number(x_ + panel_width_ / 2) + ' ' +
+           number(y_ + panel_height_ / 2) + ")scale(.1)\">\n" + shaded + "</g>\n";
+  end_panel(caption);
+}
+
+void Figure::end_panel(const std::string& caption) {
+  text(x_ + panel_width_ / 2, y_ + panel_height_ + 14, caption, "middle");
   x_ += panel_width_;
   right_ = std::max(right_, x_);
 }
@@ -131,7 +178,12 @@ std::string Figure::svg() const {
          "<style>path{stroke:#51606b;stroke-linejoin:round;stroke-linecap:round}.b{fill:none;"
          "stroke:#1d2b36;stroke-width:2.2}.m{fill:none;stroke:#d1352b;stroke-width:3}"
          ".a{fill:none;stroke:#333;stroke-width:1.4}circle{fill:#d1352b}"
-         "text{font:12px sans-serif;fill:#222}</style>\n"
+         ".u,.d{fill:none;stroke-linecap:butt}.u{stroke:#dae8f4;stroke-width:1.6}"
+         ".d{stroke-dasharray:4 3}"
+         ".h{fill:none;stroke:#d1352b;stroke-width:1.8}.n{fill:#fff;stroke:#d1352b}"
+         ".s path{stroke-width:2.5}.s "
+         ".o{fill:none;stroke:#1d2b36;stroke-width:9}.q{fill:none;stroke:#d1352b;stroke-width:16}"
+         "text{font:12px sans-serif;fill:#222}.k{font-size:10px}.r{fill:#d1352b}</style>\n"
          "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" +
          body_ + "</svg>\n";
 }

@@ -15,6 +15,15 @@ struct Place {
   double x = 0, y = 0, z = 0;  ///< y up, z towards the reader
 };
 
+/// Words at a place.
+struct Note {
+  enum class Kind { plain, red, badge };  ///< a badge is a number on a disk
+
+  Place at;
+  std::string text;
+  Kind kind = Kind::plain;
+};
+
 /// A surface and how to draw it.
 struct Scene {
   Surface surface;
@@ -23,6 +32,10 @@ struct Scene {
   std::vector<Vertex> dots;
   std::map<HalfEdge, double> bends;        ///< how far a side bulges to its right, in its lengths
   std::vector<std::array<Place, 3>> gone;  ///< triangles that were there
+  std::vector<HalfEdge> dashed{};
+  std::vector<HalfEdge> arrows{};  ///< half-edges, drawn as such
+  std::vector<Note> notes{};
+  double dot_size = 4;
 
   Place& place(Vertex v) {
     if (v.index() >= at.size()) at.resize(v.index() + std::size_t{1});
@@ -32,6 +45,7 @@ struct Scene {
   void unmark() {
     marked.clear();
     dots.clear();
+    notes.clear();
   }
 };
 
@@ -43,14 +57,19 @@ class Figure {
       : unit_(unit), panel_width_(width), panel_height_(height) {}
 
   void panel(const Scene& scene, const std::string& caption);
+  /// What shaded.h draws, about the middle of a panel.
+  void panel(const std::string& shaded, const std::string& caption);
   /// An arrow there, and one back if `back` is not empty.
   void arrow(const std::string& there, const std::string& back = "");
   void row();
+  /// Of panels from here on.
+  void resize(double width, double height) { panel_width_ = width, panel_height_ = height; }
   std::string svg() const;
 
  private:
-  void text(double x, double y, const std::string& what, const char* anchor);
+  void text(double x, double y, const std::string& what, const char* anchor, const char* kind = "");
   void line(double x0, double y0, double x1, double y1);
+  void end_panel(const std::string& caption);
 
   double unit_, panel_width_, panel_height_;
   double x_ = 10, y_ = 10, right_ = 0;
