@@ -47,4 +47,34 @@ std::vector<HalfEdge> edges_of(const Surface& surface) {
   return edges;
 }
 
+std::vector<Face> newest_faces(const Surface& surface) {
+  std::vector<Face> faces;
+  faces.reserve(static_cast<std::size_t>(surface.characteristic().f));
+  std::vector<bool> seen(surface.face_limit());
+  for (std::uint32_t i = surface.vertex_limit(); i-- > 0;) {
+    if (!surface.is_live(Vertex(i))) continue;
+    for (const HalfEdge h : surface.fan(Vertex(i))) {
+      if (seen[left(h).index()]) continue;
+      seen[left(h).index()] = true;
+      faces.push_back(left(h));
+    }
+  }
+  return faces;
+}
+
+std::vector<HalfEdge> newest_edges(const Surface& surface) {
+  std::vector<HalfEdge> edges;
+  edges.reserve(static_cast<std::size_t>(surface.characteristic().e));
+  std::vector<bool> seen(surface.half_edge_limit());
+  for (const Face f : newest_faces(surface)) {
+    for (const HalfEdge h : surface.star(f)) {
+      const HalfEdge e = surface.edge(h);
+      if (seen[e.index()]) continue;
+      seen[e.index()] = true;
+      edges.push_back(h);
+    }
+  }
+  return edges;
+}
+
 }  // namespace clers

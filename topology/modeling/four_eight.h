@@ -93,10 +93,13 @@ Result<Done, Violation> subdivide_4_8(Surface& surface, Geometry& geometry, Crea
   // Blocks share no face: each is whole when its turn comes, and no mask has new vertices.
   std::vector<HalfEdge> edges;
   edges.reserve(static_cast<std::size_t>(surface.characteristic().f));
-  for (const Face f : surface.faces()) {
-    const HalfEdge h = half_edge(f, 1);
-    if (surface.is_boundary(h) || h < surface.sym(h)) edges.push_back(h);
+  std::vector<bool> taken(surface.face_limit());
+  for (const Face f : newest_faces(surface)) {
+    if (taken[f.index()]) continue;
+    edges.push_back(half_edge(f, 1));
+    for (const HalfEdge h : surface.star(edges.back())) taken[left(h).index()] = true;
   }
+  reserve_values(geometry, surface.vertex_limit() + edges.size());
   for (const HalfEdge h : edges) {
     four_eight_edge_mask(surface, creases, h, mask);
     auto value = geometry.combine(mask);

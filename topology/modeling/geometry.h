@@ -30,7 +30,11 @@ inline void face_mask(const Surface& surface, Face f, std::vector<Term>& mask) {
 ///     void set(Vertex v, Value value);                  // v may be new
 ///
 /// combine may average, as Averaging does, or sample a surface near the average. Everything that
-/// depends on old values is combined before anything is set.
+/// depends on old values is combined before anything is set. If it has
+///
+///     void reserve(std::size_t vertices);
+///
+/// that is called before many are set.
 ///
 /// Averaging is the Geometry of values that are added and multiplied by numbers, and start from
 /// Value{}: positions, and whatever else a Value has besides.
@@ -51,6 +55,7 @@ class Averaging {
     for (const Term& t : mask) sum += t.weight * values_[t.vertex.index()];
     return sum;
   }
+  void reserve(std::size_t vertices) { values_.reserve(vertices); }
   void set(Vertex v, Value value) {
     if (v.index() >= values_.size()) values_.resize(v.index() + std::size_t{1});
     values_[v.index()] = std::move(value);
@@ -59,6 +64,11 @@ class Averaging {
  private:
   std::vector<Value> values_;
 };
+
+template <class Geometry>
+void reserve_values(Geometry& geometry, std::size_t vertices) {
+  if constexpr (requires { geometry.reserve(vertices); }) geometry.reserve(vertices);
+}
 
 /// New values of all old vertices, combined from the old values of all and set afterwards.
 template <class Geometry>

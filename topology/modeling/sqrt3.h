@@ -80,6 +80,7 @@ Result<Done, Violation> subdivide_sqrt3(Surface& surface, Geometry& geometry, Cr
     on_edges.push_back(geometry.combine(mask));
   }
   const Sqrt3Made made = sqrt3_refine(surface, creases, *plan);
+  reserve_values(geometry, surface.vertex_limit());
   moves.set(geometry);
   for (std::size_t i = 0; i < in_faces.size(); ++i)
     geometry.set(made.in_faces[i], std::move(in_faces[i]));
