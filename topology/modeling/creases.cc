@@ -29,6 +29,7 @@ void Creases::operator()(const Change& change) {
 
 SharpEdges sharp_edges(const Surface& surface, const Creases& creases, Vertex v) {
   SharpEdges sharp;
+  if (!creases.any() && !surface.is_boundary(v)) return sharp;
   for (const HalfEdge h : surface.star(v)) {
     if (!creases.is_sharp(surface, h)) continue;
     if (sharp.count < 2) {
@@ -62,11 +63,26 @@ std::vector<Face> newest_faces(const Surface& surface) {
   return faces;
 }
 
-std::vector<HalfEdge> newest_edges(const Surface& surface) {
+std::vector<Vertex> vertices_along(const Surface& surface, std::span<const Face> faces) {
+  std::vector<Vertex> vertices;
+  vertices.reserve(static_cast<std::size_t>(surface.characteristic().v));
+  std::vector<bool> seen(surface.vertex_limit());
+  for (const Face f : faces) {
+    for (const HalfEdge h : surface.star(f)) {
+      const Vertex v = surface.org(h);
+      if (seen[v.index()]) continue;
+      seen[v.index()] = true;
+      vertices.push_back(v);
+    }
+  }
+  return vertices;
+}
+
+std::vector<HalfEdge> edges_along(const Surface& surface, std::span<const Face> faces) {
   std::vector<HalfEdge> edges;
   edges.reserve(static_cast<std::size_t>(surface.characteristic().e));
   std::vector<bool> seen(surface.half_edge_limit());
-  for (const Face f : newest_faces(surface)) {
+  for (const Face f : faces) {
     for (const HalfEdge h : surface.star(f)) {
       const HalfEdge e = surface.edge(h);
       if (seen[e.index()]) continue;

@@ -70,16 +70,16 @@ void reserve_values(Geometry& geometry, std::size_t vertices) {
   if constexpr (requires { geometry.reserve(vertices); }) geometry.reserve(vertices);
 }
 
-/// New values of all old vertices, combined from the old values of all and set afterwards.
+/// New values of old vertices, combined from the old values of all and set afterwards.
 template <class Geometry>
 class Moves {
  public:
   /// `mask_of(v, mask)` writes the mask of v.
   template <class MaskOf>
-  Moves(const Surface& surface, const Geometry& geometry, MaskOf&& mask_of) {
-    waiting_.reserve(static_cast<std::size_t>(surface.characteristic().v));
+  Moves(std::span<const Vertex> vertices, const Geometry& geometry, MaskOf&& mask_of) {
+    waiting_.reserve(vertices.size());
     std::vector<Term> mask;
-    for (const Vertex v : surface.vertices()) {
+    for (const Vertex v : vertices) {
       mask_of(v, mask);
       waiting_.emplace_back(v, geometry.combine(mask));
     }

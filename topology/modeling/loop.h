@@ -41,10 +41,11 @@ template <class Geometry>
 Result<Done, Violation> subdivide_loop(Surface& surface, Geometry& geometry, Creases& creases) {
   if (const auto ok = loop_check(surface); !ok) return ok;
   std::vector<Term> mask;
-  Moves<Geometry> moves(surface, geometry, [&](Vertex v, std::vector<Term>& of_v) {
-    loop_vertex_mask(surface, creases, v, of_v);
-  });
-  const std::vector<HalfEdge> edges = newest_edges(surface);
+  const std::vector<Face> faces = newest_faces(surface);
+  Moves<Geometry> moves(
+      vertices_along(surface, faces), geometry,
+      [&](Vertex v, std::vector<Term>& of_v) { loop_vertex_mask(surface, creases, v, of_v); });
+  const std::vector<HalfEdge> edges = edges_along(surface, faces);
   std::vector<typename Geometry::Value> values;
   values.reserve(edges.size());
   for (const HalfEdge h : edges) {

@@ -50,12 +50,12 @@ void sqrt3_limit_mask(const Surface& surface, const Creases& creases, Vertex v,
 }
 
 Result<Sqrt3Plan, Violation> sqrt3_plan(const Surface& surface, const Creases& creases,
-                                        Sqrt3Step step) {
+                                        Sqrt3Step step, std::span<const Face> faces) {
   if (surface.characteristic().f > std::int64_t{max_faces} / 3)
     return Failure{Violation{Precondition::ids_left, max_faces}};
   Sqrt3Plan plan;
   plan.faces.reserve(static_cast<std::size_t>(surface.characteristic().f));
-  for (const Face f : newest_faces(surface)) {
+  for (const Face f : faces) {
     unsigned sharp = 0;
     if (step == Sqrt3Step::second) {
       for (const HalfEdge h : surface.star(f)) {
