@@ -49,10 +49,12 @@ std::vector<HalfEdge> edges_of(const Surface& surface) {
 }
 
 std::vector<Face> newest_faces(const Surface& surface) {
+  const auto count = static_cast<std::size_t>(surface.characteristic().f);
   std::vector<Face> faces;
-  faces.reserve(static_cast<std::size_t>(surface.characteristic().f));
+  faces.reserve(count);
   std::vector<bool> seen(surface.face_limit());
-  for (std::uint32_t i = surface.vertex_limit(); i-- > 0;) {
+  // Mostly the vertices of one step, a part of all, have all faces.
+  for (std::uint32_t i = surface.vertex_limit(); faces.size() < count && i-- > 0;) {
     if (!surface.is_live(Vertex(i))) continue;
     for (const HalfEdge h : surface.fan(Vertex(i))) {
       if (seen[left(h).index()]) continue;
