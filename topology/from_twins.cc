@@ -57,7 +57,7 @@ void Surface::find_components() {
     relabel_component(f, k);
     counts_[k.index()].s = 1;
   }
-  scratch_ = {};
+  std::vector<Face>().swap(scratch_);
   for (std::uint32_t i = 0; i < org_.size(); ++i) {
     const HalfEdge h(i);
     if (!org(h)) continue;

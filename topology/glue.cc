@@ -93,10 +93,11 @@ Result<HandleCase, Violation> Surface::glue(HalfEdge h0, HalfEdge h1) {
   const Component k0 = component(left(h0)), k1 = component(left(h1));
   const bool keep0 = counts_[k0.index()].f >= counts_[k1.index()].f;
   const Component kept = keep0 ? k0 : k1, gone_component = keep0 ? k1 : k0;
-  reserve_vertices(0);
-  reserve_nodes(0);
+  vertices_.room_to_give(3);
+  rings_.room_to_free(2);
   reserve_curves(1);
-  reserve_components(0);
+  curves_.room_to_give(2);
+  components_.room_to_give(1);
   if (k0 != k1) reserve_search(gone_component);
 
   const HandleCase kind = classify(h0, h1);

@@ -25,7 +25,8 @@ using RingNode = Id<struct RingNodeTag>;
 
 /// A forest of treaps over boundary vertices. A tree is named by its root; the null id is the empty
 /// tree. Trees of n nodes cost O(log n) expected for each operation that does not say otherwise;
-/// none allocates but `reserve`. Everything is iterative: a degenerate shape costs time, not stack.
+/// none allocates but `reserve` and
+/// `room_to_free`. Everything is iterative: a degenerate shape costs time, not stack.
 class Rings {
  public:
   struct Node {
@@ -35,11 +36,8 @@ class Rings {
     Curve curve;                    ///< at a root: the curve's name; null elsewhere
   };
 
-  /// Makes room for `count` new nodes, and for freeing all.
-  void reserve(std::uint32_t count) {
-    pool_.reserve(count);
-    reserve_more(nodes_, pool_.growth(count));
-  }
+  void reserve(std::uint32_t count) { reserve_more(nodes_, pool_.growth(count)); }
+  void room_to_free(std::uint32_t count) { pool_.room_to_give(count); }
   const std::vector<Node>& nodes() const { return nodes_; }
   const IdPool<RingNode>& pool() const { return pool_; }
 

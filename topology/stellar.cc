@@ -247,9 +247,7 @@ Result<Welded, Violation> Surface::weld(HalfEdge h) {
   if (const auto why = refuse_weld(h)) return Failure{*why};
   const Vertex v = org(h);
   const bool boundary = is_boundary(v);
-  faces_.reserve(0);
-  vertices_.reserve(0);
-  if (boundary) reserve_nodes(0);
+  room_to_weld();
 
   if (data_.any()) move_sides(Change::of_weld(*this, h));
   const Component k = component(left(h));

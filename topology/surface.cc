@@ -6,7 +6,6 @@ namespace CLERS_VISIBLE clers {
 using internal::reserve_more;
 
 void Surface::reserve_faces(std::uint32_t count) {
-  faces_.reserve(count);
   const std::uint32_t growth = faces_.growth(count);
   reserve_more(org_, 3 * std::size_t{growth});
   reserve_more(twin_, 3 * std::size_t{growth});
@@ -15,7 +14,6 @@ void Surface::reserve_faces(std::uint32_t count) {
 }
 
 void Surface::reserve_vertices(std::uint32_t count) {
-  vertices_.reserve(count);
   const std::uint32_t growth = vertices_.growth(count);
   reserve_more(star_, growth);
   reserve_more(corners_, growth);
@@ -24,8 +22,13 @@ void Surface::reserve_vertices(std::uint32_t count) {
   if (data_.any()) reserve_vertex_data();
 }
 
+void Surface::room_to_weld() {
+  faces_.room_to_give(2);
+  vertices_.room_to_give(1);
+  rings_.room_to_free(1);
+}
+
 void Surface::reserve_curves(std::uint32_t count) {
-  curves_.reserve(count);
   reserve_more(ring_, curves_.growth(count));
 }
 
@@ -39,7 +42,6 @@ void Surface::reserve_search(Component k) {
 }
 
 void Surface::reserve_components(std::uint32_t count) {
-  components_.reserve(count);
   reserve_more(counts_, components_.growth(count));
 }
 
@@ -141,11 +143,11 @@ Result<std::array<Point, 3>, Violation> Surface::destroy(Face f) {
   for (HalfEdge h : star(f))
     if (!is_boundary(h)) return Failure{Violation{Precondition::all_edges_on_boundary, f.index()}};
 
-  faces_.reserve(0);
-  reserve_vertices(0);
-  reserve_nodes(0);
-  reserve_curves(0);
-  reserve_components(0);
+  faces_.room_to_give(1);
+  vertices_.room_to_give(3);
+  rings_.room_to_free(3);
+  curves_.room_to_give(1);
+  components_.room_to_give(1);
 
   std::array<Point, 3> points;
   free_curve(curve(half_edge(f, 0)));

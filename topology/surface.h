@@ -355,10 +355,12 @@ class Surface {
   Compressed compress();
 
   /// Makes room for this many more faces and vertices at once, so that the arrays need not grow
-  /// again and again. Changes nothing else.
+  /// again and again, and for one weld, which then cannot run out of memory if it comes before any
+  /// other. Changes nothing else.
   void reserve(std::uint32_t faces, std::uint32_t vertices) {
     reserve_faces(faces);
     reserve_vertices(vertices);
+    room_to_weld();
   }
 
   /// The arrays from_twins takes, null at dead faces.
@@ -414,10 +416,11 @@ class Surface {
     static HalfEdge after(const Surface& s, HalfEdge h) { return s.boundary_next(h); }
   };
 
-  // Room for so many new ones and for freeing all, so that nothing fails half-way. A copy of a
-  // surface has lost the room its original had: an operator that only frees asks for it too.
+  // Room for so many new ones, so that nothing fails half-way. An operator that frees some asks
+  // their pools for room, too.
   void reserve_faces(std::uint32_t count);
   void reserve_vertices(std::uint32_t count);
+  void room_to_weld();
   void reserve_curves(std::uint32_t count);
   void reserve_nodes(std::uint32_t count) { rings_.reserve(count); }
   void reserve_search(Component k);

@@ -144,7 +144,9 @@ Result<HandleCase, Violation> Surface::unglue(HalfEdge h) {
   reserve_vertices(2);
   reserve_nodes(2);
   reserve_curves(2);
+  curves_.room_to_give(1);
   reserve_components(2);
+  components_.room_to_give(2);
   if (searches) reserve_search(k);
 
   if (loop) {
