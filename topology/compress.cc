@@ -51,9 +51,7 @@ Compressed Surface::compress() {
   const auto face_count = static_cast<std::uint32_t>(total_.f);
   s.org_.reserve(3 * std::size_t{face_count});
   s.twin_.reserve(3 * std::size_t{face_count});
-  s.rings_.resize(3 * std::size_t{face_count});
   s.component_.reserve(face_count);
-  s.scratch_.resize(face_count);
   for (const Face f : faces()) {
     for (const HalfEdge h : star(f)) {
       s.org_.push_back(to.vertices[org(h).index()]);
@@ -64,15 +62,19 @@ Compressed Surface::compress() {
   s.star_.reserve(static_cast<std::size_t>(total_.v));
   s.corners_.reserve(static_cast<std::size_t>(total_.v));
   s.point_.reserve(static_cast<std::size_t>(total_.v));
+  s.node_.resize(static_cast<std::size_t>(total_.v));
+  s.reserve_nodes(static_cast<std::uint32_t>(2 * total_.e - 3 * total_.f));
   for (const Vertex v : vertices()) {
     s.star_.push_back(image(star_[v.index()]));
     s.corners_.push_back(corners_[v.index()]);
     s.point_.push_back(point(v));
+    if (is_boundary(v)) s.set_node(to.vertices[v.index()], s.rings_.single());
   }
   s.ring_.reserve(static_cast<std::size_t>(total_.b));
   for (const Curve c : curves()) {
-    HalfEdge tree;
-    for (const HalfEdge h : boundary(c)) tree = s.rings_.join(tree, s.rings_.single(image(h)));
+    internal::RingNode tree;
+    for (const HalfEdge h : boundary(c))
+      tree = s.rings_.join(tree, s.node_[to.vertices[org(h).index()].index()]);
     s.name_curve(tree, to.curves[c.index()]);
   }
   s.counts_.reserve(static_cast<std::size_t>(total_.s));

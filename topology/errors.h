@@ -47,6 +47,7 @@ enum class Invariant : std::uint8_t {
   vertex_pool,         ///< the same of vertices; element: a vertex
   curve_pool,          ///< the same of curves; element: a curve
   component_pool,      ///< the same of components; element: a component
+  node_pool,           ///< the same of the nodes of rings; element: a node
   origin_is_live,      ///< a half-edge leaves a vertex that exists; element: a half-edge
   twin_in_range,       ///< a twin is null or a half-edge of a live face; element: a half-edge
   twin_is_mutual,      ///< the twin's twin is the half-edge, which is not its own
@@ -55,9 +56,9 @@ enum class Invariant : std::uint8_t {
   star_on_boundary,    ///< that of a boundary vertex is on the boundary; element: a vertex
   corner_count,        ///< a vertex knows how many corners it has; element: a vertex
   one_fan,             ///< the corners of a vertex are one fan; element: a vertex
-  ring_links,          ///< the tree links of a ring are mutual and in range; element: a half-edge
-  ring_members,        ///< the half-edges on rings are the boundary's; element: a half-edge
-  ring_shape,          ///< sizes add up and priorities decrease; element: a half-edge
+  ring_links,          ///< the tree links of a ring are mutual and in range; element: a node
+  ring_members,        ///< a boundary vertex, and no other, has a node, its own; element: a vertex
+  ring_shape,          ///< sizes add up and priorities decrease; element: a node
   ring_order,          ///< a ring runs along its boundary curve; element: a half-edge
   curve_names,         ///< curves and roots of rings name each other; element: a curve
   component_labels,    ///< neighbours are on one component, which exists; element: a face
@@ -66,7 +67,7 @@ enum class Invariant : std::uint8_t {
   total_counts,         ///< the surface's six counts are the sums; element: which, 0..5
   euler_poincare,       ///< v - e + f = 2(s - g) - b; element: a component
 };
-inline constexpr unsigned invariant_count = 23;
+inline constexpr unsigned invariant_count = 24;
 
 /// An invariant that does not hold: which, and at which element.
 struct Fault {

@@ -48,6 +48,7 @@ std::optional<Fault> check_gluing(std::span<const Vertex> org, std::span<const H
 
 /// Labels the components and counts them; the rest of the surface is complete.
 void Surface::find_components() {
+  scratch_.resize(faces_.size());
   for (std::uint32_t i = 0; i < faces_.size(); ++i) {
     const Face f(i);
     if (!org(half_edge(f, 0)) || component(f)) continue;
@@ -56,6 +57,7 @@ void Surface::find_components() {
     relabel_component(f, k);
     counts_[k.index()].s = 1;
   }
+  std::vector<Face>().swap(scratch_);
   for (std::uint32_t i = 0; i < org_.size(); ++i) {
     const HalfEdge h(i);
     if (!org(h)) continue;
@@ -64,7 +66,7 @@ void Surface::find_components() {
     if (star_half_edge(org(h)) == h) ++c.v;
     if (is_boundary(h) || h < sym(h)) ++c.e;
   }
-  for (HalfEdge h : ring_) ++counts_[component(left(h)).index()].b;
+  for (const Curve c : curves()) ++counts_[component(left(on_curve(c))).index()].b;
   for (Characteristic& c : counts_) {
     c.g = 1 - (c.euler() + c.b) / 2;
     total_ += c;
@@ -87,12 +89,11 @@ Result<Surface, Fault> Surface::from_twins(std::span<const Vertex> org,
   const auto face_count = static_cast<std::uint32_t>(org.size() / 3);
   s.org_.assign(org.begin(), org.end());
   s.twin_.assign(twin.begin(), twin.end());
-  s.rings_.resize(org.size());
   s.component_.resize(face_count);
-  s.scratch_.resize(face_count);
   s.star_.resize(vertex_count);
   s.corners_.resize(vertex_count);
   s.point_.resize(vertex_count);
+  s.node_.resize(vertex_count);
   s.faces_.fill(face_count);
   s.vertices_.fill(vertex_count);
 
@@ -118,12 +119,21 @@ Result<Surface, Fault> Surface::from_twins(std::span<const Vertex> org,
     if (corners != s.corners_[v]) return fault(Invariant::one_fan, v);
   }
 
+  std::uint32_t on_boundary = 0;
+  for (const HalfEdge star : s.star_)
+    if (star && s.is_boundary(star)) ++on_boundary;
+  s.reserve_nodes(on_boundary);
+  for (std::uint32_t v = 0; v < vertex_count; ++v)
+    if (s.star_[v] && s.is_boundary(s.star_[v])) s.set_node(Vertex(v), s.rings_.single());
   for (std::uint32_t i = 0; i < org.size(); ++i) {
     const HalfEdge start(i);
-    if (!org[i] || !s.is_boundary(start) || s.rings_.contains(start)) continue;
-    HalfEdge tree;
-    for (HalfEdge h = start; !s.rings_.contains(h); h = s.boundary_next(h))
-      tree = s.rings_.join(tree, s.rings_.single(h));
+    if (!org[i] || !s.is_boundary(start) || s.curve(start)) continue;
+    internal::RingNode tree;
+    HalfEdge h = start;
+    do {
+      tree = s.rings_.join(tree, s.node(h));
+      h = s.boundary_next(h);
+    } while (h != start);
     s.reserve_curves(1);
     s.new_curve(tree);
   }

@@ -3,6 +3,8 @@
 
 namespace CLERS_VISIBLE clers {
 
+using internal::RingNode;
+
 /// By the positions of the two on the boundary curves alone: which vertices coincide says nothing.
 HandleCase Surface::classify(HalfEdge h0, HalfEdge h1) const {
   if (same_boundary(h0, h1)) {
@@ -40,17 +42,17 @@ Vertex Surface::merge_fans(std::span<const HalfEdge> starts) {
   return kept;
 }
 
-/// Takes both half-edges off their curves and links what is left:
+/// Takes the nodes of h0 and h1 off their curves, frees them and links what is left:
 ///
 ///     ---p--> . --h0--> . --q-->            p is followed by s, r by q. On two curves that makes
 ///             .         .                   one; on one curve, h0 q .. r h1 s .. p, it makes two,
 ///     <--s--- . <--h1-- . <--r--            and either or both may be empty.
-void Surface::splice_for_glue(HalfEdge h0, HalfEdge h1) {
-  const Curve c0 = curve(h0), c1 = curve(h1);
+void Surface::splice_for_glue(RingNode n0, RingNode n1) {
+  const Curve c0 = rings_.curve(rings_.root(n0)), c1 = rings_.curve(rings_.root(n1));
   if (c0 == c1) {
-    rings_.rotate(h0);
-    const auto [from_h0, from_h1] = rings_.split_before(h1);
-    const HalfEdge between = rings_.pop_front(from_h0), rest = rings_.pop_front(from_h1);
+    rings_.rotate(n0);
+    const auto [from_h0, from_h1] = rings_.split_before(n1);
+    const RingNode between = rings_.pop_front(from_h0), rest = rings_.pop_front(from_h1);
     if (!between && !rest) {
       free_curve(c0);
     } else {
@@ -58,10 +60,10 @@ void Surface::splice_for_glue(HalfEdge h0, HalfEdge h1) {
       if (rest && between) new_curve(between);
     }
   } else {
-    const HalfEdge rest0 = rings_.pop_front(rings_.rotate(h0));
-    const HalfEdge rest1 = rings_.pop_front(rings_.rotate(h1));
+    const RingNode rest0 = rings_.pop_front(rings_.rotate(n0));
+    const RingNode rest1 = rings_.pop_front(rings_.rotate(n1));
     free_curve(c1);
-    if (const HalfEdge joined = rings_.join(rest0, rest1))
+    if (const RingNode joined = rings_.join(rest0, rest1))
       name_curve(joined, c0);
     else
       free_curve(c0);
@@ -88,12 +90,20 @@ Result<HandleCase, Violation> Surface::glue(HalfEdge h0, HalfEdge h1) {
     if (!is_boundary(h)) return Failure{Violation{Precondition::boundary_edge, h.index()}};
   }
   if (h0 == h1) return Failure{Violation{Precondition::two_half_edges, h0.index()}};
-  reserve_vertices(0);
+  const Component k0 = component(left(h0)), k1 = component(left(h1));
+  const bool keep0 = counts_[k0.index()].f >= counts_[k1.index()].f;
+  const Component kept = keep0 ? k0 : k1, gone_component = keep0 ? k1 : k0;
+  vertices_.room_to_give(3);
+  rings_.room_to_free(2);
   reserve_curves(1);
-  reserve_components(0);
+  curves_.room_to_give(2);
+  components_.room_to_give(1);
+  if (k0 != k1) reserve_search(gone_component);
 
   const HandleCase kind = classify(h0, h1);
   const HalfEdge after0 = boundary_next(h0), after1 = boundary_next(h1);
+  const RingNode node0 = node(after0), node1 = node(after1);
+  splice_for_glue(node(h0), node(h1));
 
   // The fans of h0's origin and h1's destination, which begin at h0 and after h1, become one; so do
   // those that begin after h0 and at h1. A curve of one edge makes all of them one.
@@ -109,22 +119,19 @@ Result<HandleCase, Violation> Surface::glue(HalfEdge h0, HalfEdge h1) {
   const auto gone = [&](HalfEdge h) { return h == h0 || h == h1; };
   star_[w.index()] = h1;
   star_[u.index()] = h0;
-  if (!gone(after0)) star_[w.index()] = after0;
-  if (!gone(after1)) star_[u.index()] = after1;
+  node_[w.index()] = node_[u.index()] = RingNode();
+  if (!gone(after0)) star_[w.index()] = after0, set_node(w, node0);
+  if (!gone(after1)) star_[u.index()] = after1, set_node(u, node1);
 
-  const Component k0 = component(left(h0)), k1 = component(left(h1));
   if (k0 == k1) {
     counts_[k0.index()] += effect(kind);
   } else {
-    const bool keep0 = counts_[k0.index()].f >= counts_[k1.index()].f;
-    const Component kept = keep0 ? k0 : k1, gone_component = keep0 ? k1 : k0;
     relabel_component(left(keep0 ? h1 : h0), kept);
     counts_[kept.index()] += counts_[gone_component.index()] + effect(kind);
     free_component(gone_component);
   }
   total_ += effect(kind);
 
-  splice_for_glue(h0, h1);
   twin_[h0.index()] = h1;
   twin_[h1.index()] = h0;
   return kind;

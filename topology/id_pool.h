@@ -24,7 +24,7 @@ inline void reserve_more(std::vector<T>& v, std::size_t extra) {
   if (v.capacity() - v.size() < extra) v.reserve(std::max(v.size() + extra, 2 * v.capacity()));
 }
 
-/// The ids 0 .. size()-1, some of them free. `take` and `give` never allocate: `reserve` did.
+/// The ids 0 .. size()-1, some of them free. `take` and `give` never allocate: `room_to_give` did.
 template <class IdType>
 class IdPool {
  public:
@@ -37,16 +37,12 @@ class IdPool {
     return count > free_count() ? count - free_count() : 0;
   }
 
-  /// Makes room for `count` takes and for giving everything back.
-  void reserve(std::uint32_t count) {
-    const std::size_t needed = std::size_t{size_} + growth(count);
-    if (free_.capacity() < needed) free_.reserve(std::max(needed, 2 * free_.capacity()));
-  }
+  /// Makes room for giving `count` ids back.
+  void room_to_give(std::uint32_t count) { reserve_more(free_, count); }
 
   /// The ids 0 .. size-1, none of them free.
   void fill(std::uint32_t size) {
     free_.clear();
-    free_.reserve(size);
     size_ = size;
   }
 

@@ -1,10 +1,12 @@
-// Cyclic sequences of boundary half-edges, cut and joined in logarithmic time.
-// Internal: installed because surface.h needs it, no part of the API.
+// Cyclic sequences of boundary vertices, cut and joined in logarithmic time.
+// Internal: installed because surface.n needs it, no part of the API.
 //
 // A boundary curve is a ring. The paper decides which curve an edge is on by union-find (§6.2), but
 // glue of type 1b and its like split curves, which union-find cannot. A balanced tree can: a ring
-// is kept as a treap whose in-order sequence, read cyclically, is the curve. Priorities are a
-// bijective hash of the half-edge's id, so that the shape depends on the sequence alone.
+// is kept as a treap whose in-order sequence, read cyclically, is the curve. Nodes are of vertices:
+// one half-edge on the boundary leaves a boundary vertex, its star, and which half-edge that is may
+// change as the faces beside the curve do. There are as many nodes as boundary edges, no matter how
+// many vertices are inside. Priorities are a bijective hash of the node's id.
 #ifndef CLERS_TOPOLOGY_RING_H
 #define CLERS_TOPOLOGY_RING_H
 
@@ -13,64 +15,71 @@
 #include <vector>
 
 #include <clers/topology/export.h>
+#include <clers/topology/id_pool.h>
 #include <clers/topology/ids.h>
-
-namespace CLERS_VISIBLE clers {
-struct SurfacePeer;  // corrupts arrays, in tests
-}
 
 namespace clers {
 namespace CLERS_VISIBLE internal {
 
-/// A forest of treaps over half-edges. A tree is named by its root; the null id is the empty tree.
-/// Trees of n nodes cost O(log n) expected for each operation that does not say otherwise; none
-/// allocates but `resize`. Everything is iterative: a degenerate shape costs time, not stack.
+using RingNode = Id<struct RingNodeTag>;
+
+/// A forest of treaps over boundary vertices. A tree is named by its root; the null id is the empty
+/// tree. Trees of n nodes cost O(log n) expected for each operation that does not say otherwise;
+/// none allocates but `reserve` and
+/// `room_to_free`. Everything is iterative: a degenerate shape costs time, not stack.
 class Rings {
  public:
   struct Node {
-    HalfEdge parent, lower, upper;  ///< lower: the subtree before this node; upper: after it
-    std::uint32_t size = 0;         ///< nodes of this subtree; 0: the half-edge is on no ring
+    RingNode parent, lower, upper;  ///< lower: the subtree before this node; upper: after it
+    std::uint32_t size = 0;         ///< nodes of this subtree; 0: free
+    Vertex vertex;                  ///< whose star half-edge is here on the curve
     Curve curve;                    ///< at a root: the curve's name; null elsewhere
   };
 
-  void reserve(std::size_t half_edges) { nodes_.reserve(half_edges); }
-  void resize(std::size_t half_edges) { nodes_.resize(half_edges); }
-  std::size_t capacity() const { return nodes_.capacity(); }
+  void reserve(std::uint32_t count) { reserve_more(nodes_, pool_.growth(count)); }
+  void room_to_free(std::uint32_t count) { pool_.room_to_give(count); }
   const std::vector<Node>& nodes() const { return nodes_; }
+  const IdPool<RingNode>& pool() const { return pool_; }
 
-  bool contains(HalfEdge h) const { return at(h).size != 0; }
-  std::uint32_t size(HalfEdge tree) const { return tree ? at(tree).size : 0; }
-  Curve curve(HalfEdge tree) const { return at(tree).curve; }
-  void set_curve(HalfEdge tree, Curve c) { at(tree).curve = c; }
+  Vertex vertex(RingNode n) const { return at(n).vertex; }
+  void set_vertex(RingNode n, Vertex v) { at(n).vertex = v; }
+  bool is_root(RingNode n) const { return !at(n).parent; }
+  std::uint32_t size(RingNode tree) const { return tree ? at(tree).size : 0; }
+  Curve curve(RingNode tree) const { return at(tree).curve; }
+  void set_curve(RingNode tree, Curve c) { at(tree).curve = c; }
 
-  /// The tree `h` is in.
-  HalfEdge root(HalfEdge h) const {
-    while (at(h).parent) h = at(h).parent;
-    return h;
+  /// The tree `n` is in.
+  RingNode root(RingNode n) const {
+    while (at(n).parent) n = at(n).parent;
+    return n;
   }
 
-  /// The half-edge before `h`, cyclically.
-  HalfEdge prev(HalfEdge h) const {
-    if (at(h).lower) return last(at(h).lower);
-    const HalfEdge start = h;
-    while (at(h).parent && at(at(h).parent).lower == h) h = at(h).parent;
-    return at(h).parent ? at(h).parent : last(root(start));
+  /// The node before `n`, cyclically.
+  RingNode prev(RingNode n) const {
+    if (at(n).lower) return last(at(n).lower);
+    const RingNode start = n;
+    while (at(n).parent && at(at(n).parent).lower == n) n = at(n).parent;
+    return at(n).parent ? at(n).parent : last(root(start));
   }
 
-  /// Makes `h`, which is on no ring, a tree of its own.
-  HalfEdge single(HalfEdge h) {
-    at(h) = Node{};
-    at(h).size = 1;
-    return h;
+  /// A new node, of no vertex yet, a tree of its own.
+  RingNode single() {
+    const RingNode n = pool_.take();
+    if (n.index() == nodes_.size()) nodes_.emplace_back();
+    at(n).size = 1;
+    return n;
   }
 
-  /// Takes a half-edge off whatever ring it is on, without regard for the others of that ring.
-  void clear(HalfEdge h) { at(h) = Node{}; }
+  /// Frees a node, without regard for the others of its ring.
+  void free(RingNode n) {
+    at(n) = Node{};
+    pool_.give(n);
+  }
 
   /// The sequence of `before` followed by that of `after`. Either may be empty. Names are lost.
-  HalfEdge join(HalfEdge before, HalfEdge after) {
-    HalfEdge result, parent;
-    HalfEdge* link = &result;
+  RingNode join(RingNode before, RingNode after) {
+    RingNode result, parent;
+    RingNode* link = &result;
     // Merge the right spine of one with the left spine of the other, higher priority on top.
     while (before && after) {
       if (priority(before) > priority(after)) {
@@ -87,22 +96,22 @@ class Rings {
     return result;
   }
 
-  /// Cuts the tree of `h` into what precedes `h` (may be empty) and what begins with it.
-  std::pair<HalfEdge, HalfEdge> split_before(HalfEdge h) {
-    HalfEdge before = at(h).lower, after = h, child = h, up = at(h).parent;
-    if (before) at(before).parent = HalfEdge(), at(before).curve = Curve();
-    at(h).lower = HalfEdge();
-    at(h).parent = HalfEdge();
-    at(h).curve = Curve();
-    at(h).size -= size(before);
+  /// Cuts the tree of `n` into what precedes `n` (may be empty) and what begins with it.
+  std::pair<RingNode, RingNode> split_before(RingNode n) {
+    RingNode before = at(n).lower, after = n, child = n, up = at(n).parent;
+    if (before) at(before).parent = RingNode(), at(before).curve = Curve();
+    at(n).lower = RingNode();
+    at(n).parent = RingNode();
+    at(n).curve = Curve();
+    at(n).size -= size(before);
     // Each ancestor goes, with the subtree on its far side, to the part it is in.
     while (up) {
-      const HalfEdge next = at(up).parent;
+      const RingNode next = at(up).parent;
       const bool was_lower = at(up).lower == child;
       child = up;
-      at(up).parent = HalfEdge();
+      at(up).parent = RingNode();
       at(up).curve = Curve();
-      HalfEdge& part = was_lower ? after : before;
+      RingNode& part = was_lower ? after : before;
       (was_lower ? at(up).lower : at(up).upper) = part;
       if (part) at(part).parent = up;
       at(up).size = 1 + size(at(up).lower) + size(at(up).upper);
@@ -112,25 +121,25 @@ class Rings {
     return {before, after};
   }
 
-  /// Turns the ring of `h` so that its sequence begins with `h`.
-  HalfEdge rotate(HalfEdge h) {
-    const auto [before, after] = split_before(h);
+  /// Turns the ring of `n` so that its sequence begins with `n`.
+  RingNode rotate(RingNode n) {
+    const auto [before, after] = split_before(n);
     return join(after, before);
   }
 
-  /// Takes the first half-edge off the sequence; what remains may be empty.
-  HalfEdge pop_front(HalfEdge tree) {
-    const HalfEdge front = first(tree);
-    const HalfEdge up = at(front).parent, rest = at(front).upper;
+  /// Frees the first node of the sequence; what remains may be empty.
+  RingNode pop_front(RingNode tree) {
+    const RingNode front = first(tree);
+    const RingNode up = at(front).parent, rest = at(front).upper;
     if (rest) at(rest).parent = up;
     if (up) at(up).lower = rest;
-    for (HalfEdge n = up; n; n = at(n).parent) --at(n).size;
-    at(front) = Node{};
+    for (RingNode n = up; n; n = at(n).parent) --at(n).size;
+    free(front);
     return up ? tree : rest;
   }
 
-  static std::uint32_t priority(HalfEdge h) {
-    std::uint32_t x = h.index();
+  static std::uint32_t priority(RingNode n) {
+    std::uint32_t x = n.index();
     x = (x ^ (x >> 16)) * 0x9e3779b1u;
     x = (x ^ (x >> 15)) * 0x85ebca77u;
     return x ^ (x >> 16);
@@ -139,18 +148,18 @@ class Rings {
  private:
   friend struct clers::SurfacePeer;
 
-  Node& at(HalfEdge h) { return nodes_[h.index()]; }
-  const Node& at(HalfEdge h) const { return nodes_[h.index()]; }
+  Node& at(RingNode n) { return nodes_[n.index()]; }
+  const Node& at(RingNode n) const { return nodes_[n.index()]; }
 
-  HalfEdge first(HalfEdge tree) const {
+  RingNode first(RingNode tree) const {
     while (at(tree).lower) tree = at(tree).lower;
     return tree;
   }
-  HalfEdge last(HalfEdge tree) const {
+  RingNode last(RingNode tree) const {
     while (at(tree).upper) tree = at(tree).upper;
     return tree;
   }
-  void link_child(HalfEdge child, HalfEdge parent, HalfEdge* link) {
+  void link_child(RingNode child, RingNode parent, RingNode* link) {
     *link = child;
     if (!child) return;
     at(child).parent = parent;
@@ -158,6 +167,7 @@ class Rings {
   }
 
   std::vector<Node> nodes_;
+  IdPool<RingNode> pool_;
 };
 
 }  // namespace internal

@@ -3,9 +3,10 @@
 #include "topology/surface.h"
 
 namespace CLERS_VISIBLE clers {
-namespace {
 
-constexpr std::size_t rim_most = 4;  // edges of the rim of a star that is replaced
+using internal::RingNode;
+
+namespace {
 
 Failure<Violation> violation(Precondition p, std::uint32_t element) {
   return {Violation{p, element}};
@@ -13,53 +14,28 @@ Failure<Violation> violation(Precondition p, std::uint32_t element) {
 
 }  // namespace
 
-/// Puts `to`, which is on no ring, where `from` is.
-void Surface::rename_on_ring(HalfEdge from, HalfEdge to) {
-  const Curve c = curve(from);
-  const HalfEdge rest = rings_.pop_front(rings_.rotate(from));
-  name_curve(rings_.join(rings_.single(to), rest), c);
-}
-
-/// Renames the sides that are on the boundary. A side may go where another still is: those that
-/// can go first make room. If none can, four sides turn in a circle and all are on the boundary;
-/// then they are a whole curve, and along it they stand as before.
-void Surface::turn_rings(std::span<const RimSide> rim) {
-  std::array<bool, rim_most> done{};
-  for (bool more = true; more;) {
-    more = false;
-    for (std::size_t i = 0; i < rim.size(); ++i) {
-      const auto [from, to] = rim[i];
-      if (done[i] || sym(from)) continue;
-      if (from != to && rings_.contains(to)) continue;
-      if (from != to) rename_on_ring(from, to);
-      done[i] = more = true;
-    }
-  }
-}
-
 /// Moves sides to other half-edges, all at once: what is glued to them, from outside or among
-/// themselves, their origins, and the stars they are.
-void Surface::move_rim(std::span<const RimSide> rim) {
-  for (const RimSide& side : rim)
-    if (is_boundary(side.from)) {
-      turn_rings(rim);
-      break;
-    }
-  std::array<HalfEdge, rim_most> twin;
-  std::array<Vertex, rim_most> origin;
-  std::array<bool, rim_most> star{};
-  for (std::size_t i = 0; i < rim.size(); ++i) {
+/// themselves, their origins, and the stars they are. Boundary curves do not notice: their nodes
+/// are of the origins.
+template <std::size_t n>
+void Surface::move_rim(const RimSide (&rim)[n]) {
+  std::array<HalfEdge, n> twin;
+  std::array<Vertex, n> origin;
+  std::array<bool, n> star{};
+  for (std::size_t i = 0; i < n; ++i) {
     twin[i] = sym(rim[i].from);
     origin[i] = org(rim[i].from);
     star[i] = star_half_edge(origin[i]) == rim[i].from;
-    for (const RimSide& other : rim)
-      if (sym(rim[i].from) == other.from) twin[i] = other.to;
   }
-  for (std::size_t i = 0; i < rim.size(); ++i) {
+  // What they are glued to learns where they go. If that is itself a side it is old, and now
+  // names what its new half-edge is to be glued to, as it does if it is glued outside.
+  for (std::size_t i = 0; i < n; ++i)
+    if (twin[i]) twin_[twin[i].index()] = rim[i].to;
+  for (std::size_t i = 0; i < n; ++i) twin[i] = sym(rim[i].from);
+  for (std::size_t i = 0; i < n; ++i) {
     const HalfEdge to = rim[i].to;
     org_[to.index()] = origin[i];
     twin_[to.index()] = twin[i];
-    if (twin[i]) twin_[twin[i].index()] = to;
     if (star[i]) star_[origin[i].index()] = to;
   }
 }
@@ -124,6 +100,7 @@ Result<Vertex, Violation> Surface::split(HalfEdge h, Point p) {
     return violation(Precondition::ids_left, max_faces);
   reserve_faces(more);
   reserve_vertices(1);
+  if (!t) reserve_nodes(1);
 
   const Face fresh = new_face(left(h));
   const HalfEdge v_b = half_edge(fresh, 0);
@@ -139,14 +116,15 @@ Result<Vertex, Violation> Surface::split(HalfEdge h, Point p) {
     join(half_edge(f, 2), v_a);
     join(half_edge(g, 2), v_b);
   } else {
+    const Vertex b = dest(h);
     v = new_vertex(v_b, 2, p);
-    const Face f = split_off(h, fresh, v);
+    split_off(h, fresh, v);
     twin_[v_b.index()] = HalfEdge();
-    // After a-v, which took the place of h.
-    const Curve c = curve(half_edge(f, 2));
-    const HalfEdge ring = rings_.pop_front(rings_.rotate(half_edge(f, 2)));
-    const HalfEdge both = rings_.join(rings_.single(half_edge(f, 2)), rings_.single(v_b));
-    name_curve(rings_.join(both, ring), c);
+    // Before b.
+    const RingNode next = node_[b.index()];
+    const Curve c = rings_.curve(rings_.root(next));
+    set_node(v, rings_.single());
+    name_curve(rings_.join(rings_.rotate(next), node_[v.index()]), c);
   }
   counts_[k.index()] += effect(kind);
   total_ += effect(kind);
@@ -226,7 +204,7 @@ Welded Surface::weld_boundary_edge(Vertex v) {
   replace_star(c_v, lnext(v_c));
   --corners_[org(c_v).index()];
   const Curve c = curve(v_b);
-  name_curve(rings_.pop_front(rings_.rotate(v_b)), c);
+  name_curve(rings_.pop_front(rings_.rotate(node_[v.index()])), c);
   const RimSide rim[] = {
       {lnext(v_c), half_edge(f, 0)}, {a_v, half_edge(f, 1)}, {lnext(v_b), half_edge(f, 2)}};
   move_rim(rim);
@@ -269,8 +247,7 @@ Result<Welded, Violation> Surface::weld(HalfEdge h) {
   if (const auto why = refuse_weld(h)) return Failure{*why};
   const Vertex v = org(h);
   const bool boundary = is_boundary(v);
-  faces_.reserve(0);
-  vertices_.reserve(0);
+  room_to_weld();
 
   if (data_.any()) move_sides(Change::of_weld(*this, h));
   const Component k = component(left(h));

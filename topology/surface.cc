@@ -6,32 +6,42 @@ namespace CLERS_VISIBLE clers {
 using internal::reserve_more;
 
 void Surface::reserve_faces(std::uint32_t count) {
-  faces_.reserve(count);
   const std::uint32_t growth = faces_.growth(count);
   reserve_more(org_, 3 * std::size_t{growth});
   reserve_more(twin_, 3 * std::size_t{growth});
   reserve_more(component_, growth);
-  reserve_more(scratch_, growth);
-  rings_.reserve(org_.capacity());
   if (data_.any()) reserve_face_data();
 }
 
 void Surface::reserve_vertices(std::uint32_t count) {
-  vertices_.reserve(count);
   const std::uint32_t growth = vertices_.growth(count);
   reserve_more(star_, growth);
   reserve_more(corners_, growth);
   reserve_more(point_, growth);
+  reserve_more(node_, growth);
   if (data_.any()) reserve_vertex_data();
 }
 
+void Surface::room_to_weld() {
+  faces_.room_to_give(2);
+  vertices_.room_to_give(1);
+  rings_.room_to_free(1);
+}
+
 void Surface::reserve_curves(std::uint32_t count) {
-  curves_.reserve(count);
   reserve_more(ring_, curves_.growth(count));
 }
 
+/// Makes room for the queues of a search in this component, which then holds all its faces. Other
+/// operators need none.
+void Surface::reserve_search(Component k) {
+  const auto faces = static_cast<std::size_t>(counts_[k.index()].f);
+  if (scratch_.size() >= faces) return;
+  reserve_more(scratch_, faces - scratch_.size());
+  scratch_.resize(faces);
+}
+
 void Surface::reserve_components(std::uint32_t count) {
-  components_.reserve(count);
   reserve_more(counts_, components_.growth(count));
 }
 
@@ -40,9 +50,7 @@ Face Surface::new_face(Face of) {
   if (f.index() == component_.size()) {
     org_.resize(org_.size() + 3);
     twin_.resize(twin_.size() + 3);
-    rings_.resize(org_.size());
     component_.emplace_back();
-    scratch_.emplace_back();
   }
   if (data_.any()) make_data(f, of);
   return f;
@@ -54,6 +62,7 @@ Vertex Surface::new_vertex(HalfEdge star, std::uint32_t corners, Point p, Vertex
     star_.emplace_back();
     corners_.emplace_back();
     point_.emplace_back();
+    node_.emplace_back();
   }
   if (data_.any()) make_data(v, of);
   star_[v.index()] = star;
@@ -72,7 +81,6 @@ void Surface::free_face(Face f) {
   for (HalfEdge h : star(f)) {
     org_[h.index()] = Vertex();
     twin_[h.index()] = HalfEdge();
-    rings_.clear(h);
   }
   component_[f.index()] = Component();
   faces_.give(f);
@@ -82,11 +90,12 @@ void Surface::free_vertex(Vertex v) {
   star_[v.index()] = HalfEdge();
   corners_[v.index()] = 0;
   point_[v.index()] = Point();
+  node_[v.index()] = internal::RingNode();
   vertices_.give(v);
 }
 
 void Surface::free_curve(Curve c) {
-  ring_[c.index()] = HalfEdge();
+  ring_[c.index()] = internal::RingNode();
   curves_.give(c);
 }
 
@@ -95,7 +104,7 @@ void Surface::free_component(Component k) {
   components_.give(k);
 }
 
-void Surface::name_curve(HalfEdge tree, Curve c) {
+void Surface::name_curve(internal::RingNode tree, Curve c) {
   if (c.index() == ring_.size()) ring_.emplace_back();
   ring_[c.index()] = tree;
   rings_.set_curve(tree, c);
@@ -106,16 +115,19 @@ Result<Face, Violation> Surface::create(Point p0, Point p1, Point p2) {
     return Failure{Violation{Precondition::ids_left, max_faces}};
   reserve_faces(1);
   reserve_vertices(3);
+  reserve_nodes(3);
   reserve_curves(1);
   reserve_components(1);
 
   const Face f = new_face();
   const Point points[3] = {p0, p1, p2};
-  HalfEdge ring;
+  internal::RingNode ring;
   for (unsigned i = 0; i < 3; ++i) {
     const HalfEdge h = half_edge(f, i);
-    org_[h.index()] = new_vertex(h, 1, points[i]);
-    ring = rings_.join(ring, rings_.single(h));
+    const Vertex v = new_vertex(h, 1, points[i]);
+    org_[h.index()] = v;
+    set_node(v, rings_.single());
+    ring = rings_.join(ring, node(h));
   }
   new_curve(ring);
 
@@ -131,10 +143,11 @@ Result<std::array<Point, 3>, Violation> Surface::destroy(Face f) {
   for (HalfEdge h : star(f))
     if (!is_boundary(h)) return Failure{Violation{Precondition::all_edges_on_boundary, f.index()}};
 
-  faces_.reserve(0);
-  reserve_vertices(0);
-  reserve_curves(0);
-  reserve_components(0);
+  faces_.room_to_give(1);
+  vertices_.room_to_give(3);
+  rings_.room_to_free(3);
+  curves_.room_to_give(1);
+  components_.room_to_give(1);
 
   std::array<Point, 3> points;
   free_curve(curve(half_edge(f, 0)));
@@ -142,6 +155,7 @@ Result<std::array<Point, 3>, Violation> Surface::destroy(Face f) {
   for (unsigned i = 3; i-- > 0;) {
     const HalfEdge h = half_edge(f, i);
     points[i] = point(org(h));
+    rings_.free(node(h));
     free_vertex(org(h));
   }
   free_component(component(f));

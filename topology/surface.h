@@ -102,7 +102,7 @@ class Surface {
   HalfEdge sym(HalfEdge h) const { return twin_[h.index()]; }
 
   bool is_boundary(HalfEdge h) const { return !sym(h); }
-  bool is_boundary(Vertex v) const { return is_boundary(star_[v.index()]); }
+  bool is_boundary(Vertex v) const { return bool(node_[v.index()]); }
   /// Does the face have an edge on the boundary?
   bool is_boundary(Face f) const {
     return is_boundary(half_edge(f, 0)) || is_boundary(half_edge(f, 1)) ||
@@ -127,15 +127,19 @@ class Surface {
 
   /// The half-edge after / before a boundary half-edge on its curve. Before: O(log n).
   HalfEdge boundary_next(HalfEdge h) const { return star_[dest(h).index()]; }
-  HalfEdge boundary_prev(HalfEdge h) const { return rings_.prev(h); }
+  HalfEdge boundary_prev(HalfEdge h) const {
+    return star_[rings_.vertex(rings_.prev(node(h))).index()];
+  }
   /// The curve of a boundary half-edge. O(log n).
-  Curve curve(HalfEdge h) const { return rings_.curve(rings_.root(h)); }
+  Curve curve(HalfEdge h) const { return rings_.curve(rings_.root(node(h))); }
   /// Are two boundary half-edges on one curve? O(log n).
-  bool same_boundary(HalfEdge a, HalfEdge b) const { return rings_.root(a) == rings_.root(b); }
+  bool same_boundary(HalfEdge a, HalfEdge b) const {
+    return rings_.root(node(a)) == rings_.root(node(b));
+  }
   /// Edges of a curve.
   std::uint32_t length(Curve c) const { return rings_.size(ring_[c.index()]); }
   /// Some half-edge on a curve.
-  HalfEdge on_curve(Curve c) const { return ring_[c.index()]; }
+  HalfEdge on_curve(Curve c) const { return star_[rings_.vertex(ring_[c.index()]).index()]; }
 
   /// Does every face at v have only one corner there? Then no edge of the star is a loop.
   /// O(degree).
@@ -251,8 +255,8 @@ class Surface {
   // with the same rim; what the rim is glued to, even itself, does not matter. Faces keep their
   // corners in an order that means something to hierarchies (Dynamic adaptive meshes, §5): in faces
   // made by a split the new vertex is corner 0, so the side opposite is half-edge 1, an edge that
-  // was there before. Costs are O(1), as the paper says, plus O(log n) for each edge of the
-  // boundary whose half-edge changes.
+  // was there before. Costs are O(1), as the paper says, plus O(log n) for a split or weld of an
+  // edge of the boundary.
 
   /// Turns the edge between two triangles counterclockwise (Fig. 3 b):
   ///
@@ -351,10 +355,12 @@ class Surface {
   Compressed compress();
 
   /// Makes room for this many more faces and vertices at once, so that the arrays need not grow
-  /// again and again. Changes nothing else.
+  /// again and again, and for one weld, which then cannot run out of memory if it comes before any
+  /// other. Changes nothing else.
   void reserve(std::uint32_t faces, std::uint32_t vertices) {
     reserve_faces(faces);
     reserve_vertices(vertices);
+    room_to_weld();
   }
 
   /// The arrays from_twins takes, null at dead faces.
@@ -410,17 +416,20 @@ class Surface {
     static HalfEdge after(const Surface& s, HalfEdge h) { return s.boundary_next(h); }
   };
 
-  // Room for so many new ones and for freeing all, so that nothing fails half-way. A copy of a
-  // surface has lost the room its original had: an operator that only frees asks for it too.
+  // Room for so many new ones, so that nothing fails half-way. An operator that frees some asks
+  // their pools for room, too.
   void reserve_faces(std::uint32_t count);
   void reserve_vertices(std::uint32_t count);
+  void room_to_weld();
   void reserve_curves(std::uint32_t count);
+  void reserve_nodes(std::uint32_t count) { rings_.reserve(count); }
+  void reserve_search(Component k);
   void reserve_components(std::uint32_t count);
 
   // In containers the new element gets the values of `of`, if not null.
   Face new_face(Face of = {});
   Vertex new_vertex(HalfEdge star, std::uint32_t corners, Point p, Vertex of = {});
-  void new_curve(HalfEdge tree) { name_curve(tree, curves_.take()); }
+  void new_curve(internal::RingNode tree) { name_curve(tree, curves_.take()); }
   Component new_component();
   // Containers; each after data_.any(), so that an operator without them does not pay
   // (element_data.cc).
@@ -435,12 +444,18 @@ class Surface {
   void free_curve(Curve c);
   void free_component(Component k);
 
-  void name_curve(HalfEdge tree, Curve c);
+  /// Of a half-edge on the boundary.
+  internal::RingNode node(HalfEdge h) const { return node_[org(h).index()]; }
+  void set_node(Vertex v, internal::RingNode n) {
+    node_[v.index()] = n;
+    rings_.set_vertex(n, v);
+  }
+  void name_curve(internal::RingNode tree, Curve c);
   HandleCase classify(HalfEdge h0, HalfEdge h1) const;
   Vertex merge_fans(std::span<const HalfEdge> starts);
   void relabel_fan(HalfEdge start, Vertex v);
   void split_fans(std::span<const HalfEdge> starts, HalfEdge cut);
-  void splice_for_glue(HalfEdge h0, HalfEdge h1);
+  void splice_for_glue(internal::RingNode n0, internal::RingNode n1);
   void relabel_component(Face start, Component k);
   bool separate(HalfEdge h, HalfEdge t, Component whole);
   Characteristic count(std::span<const Face> part) const;
@@ -450,9 +465,8 @@ class Surface {
   struct RimSide {
     HalfEdge from, to;
   };
-  void rename_on_ring(HalfEdge from, HalfEdge to);
-  void turn_rings(std::span<const RimSide> rim);
-  void move_rim(std::span<const RimSide> rim);
+  template <std::size_t n>
+  void move_rim(const RimSide (&rim)[n]);
   void join(HalfEdge a, HalfEdge b) { twin_[a.index()] = b, twin_[b.index()] = a; }
   void replace_star(HalfEdge gone, HalfEdge other);
   Face split_off(HalfEdge h, Face fresh, Vertex v);
@@ -464,16 +478,16 @@ class Surface {
   // By half-edge.
   std::vector<Vertex> org_;
   std::vector<HalfEdge> twin_;  // null: boundary
-  internal::Rings rings_;       // the boundary curves
   // By face.
   std::vector<Component> component_;  // null: dead
-  std::vector<Face> scratch_;         // queues of searches
   // By vertex.
   std::vector<HalfEdge> star_;  // null: dead
   std::vector<std::uint32_t> corners_;
   std::vector<Point> point_;
+  std::vector<internal::RingNode> node_;  // null: not on the boundary
+  internal::Rings rings_;                 // the boundary curves
   // By curve.
-  std::vector<HalfEdge> ring_;  // root of its tree; null: dead
+  std::vector<internal::RingNode> ring_;  // root of its tree; null: dead
   // By component.
   std::vector<Characteristic> counts_;  // s is 1; 0: dead
 
@@ -482,6 +496,7 @@ class Surface {
   internal::IdPool<Curve> curves_;
   internal::IdPool<Component> components_;
   Characteristic total_;
+  std::vector<Face> scratch_;  // queues of searches
 
   internal::Attachments data_;
 };

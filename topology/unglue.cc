@@ -5,6 +5,8 @@
 
 namespace CLERS_VISIBLE clers {
 
+using internal::RingNode;
+
 /// Gives every fan that the cut of `cut` and its twin leaves at one vertex a vertex of its own:
 /// those that begin, counterclockwise, at these half-edges. The largest keeps the vertex. All are
 /// walked in step, so the cost is that of the others.
@@ -53,7 +55,7 @@ void Surface::split_fans(std::span<const HalfEdge> starts, HalfEdge cut) {
 }
 
 /// The six counts of faces that are all of a component. An element is counted where one of its
-/// half-edges stands for it: that of a vertex is its star, that of a curve the root of its tree.
+/// half-edges stands for it: that of a vertex is its star, that of a curve the one at the root.
 Characteristic Surface::count(std::span<const Face> part) const {
   Characteristic c;
   c.f = static_cast<std::int64_t>(part.size());
@@ -62,7 +64,7 @@ Characteristic Surface::count(std::span<const Face> part) const {
     for (HalfEdge h : star(f)) {
       if (star_half_edge(org(h)) == h) ++c.v;
       if (is_boundary(h) || h < sym(h)) ++c.e;
-      if (is_boundary(h) && rings_.root(h) == h) ++c.b;
+      if (is_boundary(h) && rings_.is_root(node(h))) ++c.b;
     }
   }
   c.g = 1 - (c.euler() + c.b) / 2;
@@ -131,16 +133,21 @@ bool Surface::separate(HalfEdge h, HalfEdge t, Component whole) {
 Result<HandleCase, Violation> Surface::unglue(HalfEdge h) {
   if (!is_live(h)) return Failure{Violation{Precondition::live_half_edge, h.index()}};
   if (is_boundary(h)) return Failure{Violation{Precondition::interior_edge, h.index()}};
-  reserve_vertices(2);
-  reserve_curves(2);
-  reserve_components(2);
-
   const HalfEdge t = sym(h);
   const Vertex u = org(h), w = org(t);
   const Component k = component(left(h));
   const bool loop = u == w, u_on_boundary = is_boundary(u), w_on_boundary = is_boundary(w);
   // The boundary half-edges that leave u and w before the cut, if they are on the boundary.
   const HalfEdge q = star_half_edge(u), r = star_half_edge(w);
+  const RingNode node_q = node_[u.index()], node_r = node_[w.index()];
+  const bool searches = loop || (u_on_boundary && w_on_boundary && same_boundary(q, r));
+  reserve_vertices(2);
+  reserve_nodes(2);
+  reserve_curves(2);
+  curves_.room_to_give(1);
+  reserve_components(2);
+  components_.room_to_give(2);
+  if (searches) reserve_search(k);
 
   if (loop) {
     if (u_on_boundary)
@@ -160,28 +167,33 @@ Result<HandleCase, Violation> Surface::unglue(HalfEdge h) {
   twin_[h.index()] = HalfEdge();
   twin_[t.index()] = HalfEdge();
 
+  // Each on the boundary leaves another vertex now.
+  const RingNode node_h = rings_.single(), node_t = rings_.single();
+  if (u_on_boundary) set_node(org(q), node_q);
+  if (w_on_boundary) set_node(org(r), node_r);
+  set_node(org(h), node_h);
+  set_node(org(t), node_t);
+
   // Curves, and which cases remain: one if `decided`, else that in which the cut separates and that
   // in which it opens a handle.
   HandleCase separating = HandleCase::join_components, otherwise = HandleCase::join_curves;
   bool decided = true;
-  const HalfEdge single_h = rings_.single(h), single_t = rings_.single(t);
   if (!u_on_boundary && !w_on_boundary) {
     if (loop) {
-      new_curve(single_h);
-      new_curve(single_t);
+      new_curve(node_h);
+      new_curve(node_t);
       separating = HandleCase::join_components_at_loops;
       otherwise = HandleCase::join_curves_at_loops;
       decided = false;
     } else {
-      new_curve(rings_.join(single_h, single_t));
+      new_curve(rings_.join(node_h, node_t));
       otherwise = HandleCase::close;
     }
   } else if (u_on_boundary != w_on_boundary) {
     // Arrive at the boundary vertex, go along one side of the cut, come back along the other.
-    const HalfEdge next = u_on_boundary ? q : r;
-    const Curve c = curve(next);
-    const HalfEdge slit =
-        u_on_boundary ? rings_.join(single_h, single_t) : rings_.join(single_t, single_h);
+    const RingNode next = u_on_boundary ? node_q : node_r;
+    const Curve c = rings_.curve(rings_.root(next));
+    const RingNode slit = u_on_boundary ? rings_.join(node_h, node_t) : rings_.join(node_t, node_h);
     name_curve(rings_.join(rings_.rotate(next), slit), c);
     otherwise = HandleCase::zip;
   } else if (loop) {
@@ -189,22 +201,22 @@ Result<HandleCase, Violation> Surface::unglue(HalfEdge h) {
     // the other side is where the boundary passed the vertex.
     const bool h_inside = org(h) == dest(h);
     const Curve c = curve(q);
-    name_curve(rings_.join(rings_.rotate(q), h_inside ? single_t : single_h), c);
-    new_curve(h_inside ? single_h : single_t);
+    name_curve(rings_.join(rings_.rotate(node_q), h_inside ? node_t : node_h), c);
+    new_curve(h_inside ? node_h : node_t);
     decided = false;
   } else if (same_boundary(q, r)) {
     // q .. (to w) r .. (to u): h takes the boundary from u to r, t takes it from w to q.
     const Curve c = curve(q);
-    rings_.rotate(q);
-    const auto [from_q, from_r] = rings_.split_before(r);
-    name_curve(rings_.join(from_r, single_h), c);
-    new_curve(rings_.join(from_q, single_t));
+    rings_.rotate(node_q);
+    const auto [from_q, from_r] = rings_.split_before(node_r);
+    name_curve(rings_.join(from_r, node_h), c);
+    new_curve(rings_.join(from_q, node_t));
     decided = false;
   } else {
     const Curve c = curve(q);
     free_curve(curve(r));
-    const HalfEdge to_w = rings_.join(rings_.rotate(q), single_h);
-    name_curve(rings_.join(to_w, rings_.join(rings_.rotate(r), single_t)), c);
+    const RingNode to_w = rings_.join(rings_.rotate(node_q), node_h);
+    name_curve(rings_.join(to_w, rings_.join(rings_.rotate(node_r), node_t)), c);
     otherwise = HandleCase::split_curve;
   }
 

@@ -4,6 +4,7 @@
 namespace CLERS_VISIBLE clers {
 
 using internal::IdPool;
+using internal::RingNode;
 using internal::Rings;
 
 /// The checks go in stages: each may follow the references that those before it have found good.
@@ -36,33 +37,36 @@ class Validator {
     };
     is(s_.org_.size(), 3 * faces);
     is(s_.twin_.size(), 3 * faces);
-    is(s_.rings_.nodes().size(), 3 * faces);
     is(s_.component_.size(), faces);
-    is(s_.scratch_.size(), faces);
     is(s_.star_.size(), vertices);
     is(s_.corners_.size(), vertices);
     is(s_.point_.size(), vertices);
+    is(s_.node_.size(), vertices);
+    is(s_.rings_.nodes().size(), s_.rings_.pool().size());
     is(s_.ring_.size(), s_.curves_.size());
     is(s_.counts_.size(), s_.components_.size());
   }
 
-  template <class IdType>
-  void pool(const IdPool<IdType>& ids, Invariant invariant) {
+  template <class IdType, class IsLive>
+  void pool(const IdPool<IdType>& ids, Invariant invariant, IsLive is_live) {
     std::vector<bool> listed(ids.size());
     for (const IdType id : ids.free_ids()) {
-      const bool good = id.index() < ids.size() && !listed[id.index()] && !s_.is_live(id);
+      const bool good = id.index() < ids.size() && !listed[id.index()] && !is_live(id);
       expect(good, invariant, id.index());
       if (good) listed[id.index()] = true;
     }
     for (std::uint32_t i = 0; i < ids.size(); ++i)
-      expect(listed[i] || s_.is_live(IdType(i)), invariant, i);
+      expect(listed[i] || is_live(IdType(i)), invariant, i);
   }
 
   void pools() {
-    pool(s_.faces_, Invariant::face_pool);
-    pool(s_.vertices_, Invariant::vertex_pool);
-    pool(s_.curves_, Invariant::curve_pool);
-    pool(s_.components_, Invariant::component_pool);
+    const auto live = [this](auto id) { return s_.is_live(id); };
+    pool(s_.faces_, Invariant::face_pool, live);
+    pool(s_.vertices_, Invariant::vertex_pool, live);
+    pool(s_.curves_, Invariant::curve_pool, live);
+    pool(s_.components_, Invariant::component_pool, live);
+    pool(s_.rings_.pool(), Invariant::node_pool,
+         [this](RingNode n) { return s_.rings_.nodes()[n.index()].size != 0; });
   }
 
   void half_edges() {
@@ -118,26 +122,35 @@ class Validator {
 
   void rings() {
     const std::vector<Rings::Node>& nodes = s_.rings_.nodes();
-    const auto good = [&](HalfEdge h) { return h.index() < nodes.size(); };
+    const auto good = [&](RingNode n) { return n.index() < nodes.size(); };
+    for (std::uint32_t v = 0; v < s_.node_.size(); ++v) {
+      const RingNode n = s_.node_[v];
+      const HalfEdge star = s_.star_[v];
+      expect(bool(n) == (star && !s_.sym(star)), Invariant::ring_members, v);
+      if (n) expect(good(n) && nodes[n.index()].vertex == Vertex(v), Invariant::ring_members, v);
+    }
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
-      const HalfEdge h(i);
+      const RingNode at(i);
       const Rings::Node& n = nodes[i];
-      expect((n.size != 0) == (s_.is_live(h) && !s_.sym(h)), Invariant::ring_members, i);
       if (n.size == 0) {
-        expect(!n.parent && !n.lower && !n.upper && !n.curve, Invariant::ring_links, i);
+        expect(!n.parent && !n.lower && !n.upper && !n.vertex && !n.curve, Invariant::ring_links,
+               i);
         continue;
       }
+      // A node that no vertex names has leaked.
+      expect(n.vertex.index() < s_.node_.size() && s_.node_[n.vertex.index()] == at,
+             Invariant::ring_members, n.vertex.index());
       std::uint64_t size = 1;
-      bool linked = !n.parent || (good(n.parent) && (nodes[n.parent.index()].lower == h) !=
-                                                        (nodes[n.parent.index()].upper == h));
+      bool linked = !n.parent || (good(n.parent) && (nodes[n.parent.index()].lower == at) !=
+                                                        (nodes[n.parent.index()].upper == at));
       bool heap = true;
-      for (const HalfEdge child : {n.lower, n.upper}) {
+      for (const RingNode child : {n.lower, n.upper}) {
         if (!child) continue;
-        if (!good(child) || nodes[child.index()].parent != h) {
+        if (!good(child) || nodes[child.index()].parent != at) {
           linked = false;
         } else {
           size += nodes[child.index()].size;
-          heap = heap && Rings::priority(child) < Rings::priority(h);
+          heap = heap && Rings::priority(child) < Rings::priority(at);
         }
       }
       expect(linked, Invariant::ring_links, i);
@@ -146,11 +159,11 @@ class Validator {
       if (n.parent)
         expect(!n.curve, Invariant::curve_names, n.curve.index());
       else
-        expect(s_.is_live(n.curve) && s_.ring_[n.curve.index()] == h, Invariant::curve_names,
+        expect(s_.is_live(n.curve) && s_.ring_[n.curve.index()] == at, Invariant::curve_names,
                n.curve.index());
     }
     for (std::uint32_t c = 0; c < s_.ring_.size(); ++c) {
-      const HalfEdge root = s_.ring_[c];
+      const RingNode root = s_.ring_[c];
       expect(!root || (good(root) && nodes[root.index()].size != 0 &&
                        nodes[root.index()].curve == Curve(c)),
              Invariant::curve_names, c);
@@ -159,8 +172,8 @@ class Validator {
 
   void ring_orders() {
     for (std::uint32_t i = 0; i < s_.org_.size(); ++i)
-      if (const HalfEdge h(i); s_.rings_.contains(h))
-        expect(s_.boundary_next(s_.rings_.prev(h)) == h, Invariant::ring_order, i);
+      if (const HalfEdge h(i); s_.is_live(h) && !s_.sym(h))
+        expect(s_.boundary_next(s_.boundary_prev(h)) == h, Invariant::ring_order, i);
   }
 
   void components() {
@@ -180,8 +193,7 @@ class Validator {
       if (s_.star_half_edge(s_.org(h)) == h) ++c.v;
       if (!t || h < t) ++c.e;
     }
-    for (const HalfEdge root : s_.ring_)
-      if (root) ++counts[s_.component(left(root)).index()].b;
+    for (const Curve c : s_.curves()) ++counts[s_.component(left(s_.on_curve(c))).index()].b;
 
     // Each label's faces, reached from the first of them.
     std::vector<bool> seen(faces);

@@ -29,6 +29,7 @@ void Creases::operator()(const Change& change) {
 
 SharpEdges sharp_edges(const Surface& surface, const Creases& creases, Vertex v) {
   SharpEdges sharp;
+  if (!creases.any() && !surface.is_boundary(v)) return sharp;
   for (const HalfEdge h : surface.star(v)) {
     if (!creases.is_sharp(surface, h)) continue;
     if (sharp.count < 2) {
@@ -44,6 +45,53 @@ std::vector<HalfEdge> edges_of(const Surface& surface) {
   std::vector<HalfEdge> edges;
   edges.reserve(static_cast<std::size_t>(surface.characteristic().e));
   for (const HalfEdge h : surface.edges()) edges.push_back(h);
+  return edges;
+}
+
+std::vector<Face> newest_faces(const Surface& surface) {
+  const auto count = static_cast<std::size_t>(surface.characteristic().f);
+  std::vector<Face> faces;
+  faces.reserve(count);
+  std::vector<bool> seen(surface.face_limit());
+  // Mostly the vertices of one step, a part of all, have all faces.
+  for (std::uint32_t i = surface.vertex_limit(); faces.size() < count && i-- > 0;) {
+    if (!surface.is_live(Vertex(i))) continue;
+    for (const HalfEdge h : surface.fan(Vertex(i))) {
+      if (seen[left(h).index()]) continue;
+      seen[left(h).index()] = true;
+      faces.push_back(left(h));
+    }
+  }
+  return faces;
+}
+
+std::vector<Vertex> vertices_along(const Surface& surface, std::span<const Face> faces) {
+  std::vector<Vertex> vertices;
+  vertices.reserve(static_cast<std::size_t>(surface.characteristic().v));
+  std::vector<bool> seen(surface.vertex_limit());
+  for (const Face f : faces) {
+    for (const HalfEdge h : surface.star(f)) {
+      const Vertex v = surface.org(h);
+      if (seen[v.index()]) continue;
+      seen[v.index()] = true;
+      vertices.push_back(v);
+    }
+  }
+  return vertices;
+}
+
+std::vector<HalfEdge> edges_along(const Surface& surface, std::span<const Face> faces) {
+  std::vector<HalfEdge> edges;
+  edges.reserve(static_cast<std::size_t>(surface.characteristic().e));
+  std::vector<bool> seen(surface.half_edge_limit());
+  for (const Face f : faces) {
+    for (const HalfEdge h : surface.star(f)) {
+      const HalfEdge e = surface.edge(h);
+      if (seen[e.index()]) continue;
+      seen[e.index()] = true;
+      edges.push_back(h);
+    }
+  }
   return edges;
 }
 

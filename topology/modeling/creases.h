@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <clers/topology/export.h>
@@ -56,6 +57,16 @@ SharpEdges sharp_edges(const Surface& surface, const Creases& creases, Vertex v)
 
 /// A list of surface.edges(), for loops that change the surface.
 std::vector<HalfEdge> edges_of(const Surface& surface);
+
+/// All faces, those of the newest vertices first: the order in which steps of subdivision go. A
+/// step leaves a part of every old face where it was and appends the others, and new vertices, in
+/// the order in which it goes. In the order of faces, a sweep over the surface leaves two behind,
+/// those two four, and so on, until neighbours are far apart in memory. But the vertices that a
+/// step has made are in one sweep, and every face has one.
+std::vector<Face> newest_faces(const Surface& surface);
+/// All vertices and all edges, of all faces in this order.
+std::vector<Vertex> vertices_along(const Surface& surface, std::span<const Face> faces);
+std::vector<HalfEdge> edges_along(const Surface& surface, std::span<const Face> faces);
 
 }  // namespace clers
 

@@ -95,18 +95,23 @@ Result<Done, Violation> subdivide_4_8(Surface& surface, Geometry& geometry, Crea
     return Failure{Violation{Precondition::ids_left, max_faces}};
   if (const auto ok = check_tri_quad(surface); !ok) return ok;
   std::vector<Term> mask;
-  Moves<Geometry> moves(surface, geometry, [&](Vertex v, std::vector<Term>& of_v) {
-    four_eight_vertex_mask(surface, creases, v, of_v);
-  });
+  const std::vector<Face> faces = newest_faces(surface);
+  Moves<Geometry> moves(vertices_along(surface, faces), geometry,
+                        [&](Vertex v, std::vector<Term>& of_v) {
+                          four_eight_vertex_mask(surface, creases, v, of_v);
+                        });
   surface.reserve(static_cast<std::uint32_t>(surface.characteristic().f),
                   static_cast<std::uint32_t>(surface.characteristic().f));
   // Blocks share no face: each is whole when its turn comes, and no mask has new vertices.
   std::vector<HalfEdge> edges;
   edges.reserve(static_cast<std::size_t>(surface.characteristic().f));
-  for (const Face f : surface.faces()) {
-    const HalfEdge h = half_edge(f, 1);
-    if (surface.is_boundary(h) || h < surface.sym(h)) edges.push_back(h);
+  std::vector<bool> taken(surface.face_limit());
+  for (const Face f : faces) {
+    if (taken[f.index()]) continue;
+    edges.push_back(half_edge(f, 1));
+    for (const HalfEdge h : surface.star(edges.back())) taken[left(h).index()] = true;
   }
+  reserve_values(geometry, surface.vertex_limit() + edges.size());
   for (const HalfEdge h : edges) {
     four_eight_edge_mask(surface, creases, h, mask);
     auto value = geometry.combine(mask);

@@ -30,7 +30,11 @@ inline void face_mask(const Surface& surface, Face f, std::vector<Term>& mask) {
 ///     void set(Vertex v, Value value);                  // v may be new
 ///
 /// combine may average, as Averaging does, or sample a surface near the average. Everything that
-/// depends on old values is combined before anything is set.
+/// depends on old values is combined before anything is set. If it has
+///
+///     void reserve(std::size_t vertices);
+///
+/// that is called before many are set.
 ///
 /// Averaging is the Geometry of values that are added and multiplied by numbers, and start from
 /// Value{}: positions, and whatever else a Value has besides.
@@ -51,6 +55,7 @@ class Averaging {
     for (const Term& t : mask) sum += t.weight * values_[t.vertex.index()];
     return sum;
   }
+  void reserve(std::size_t vertices) { values_.reserve(vertices); }
   void set(Vertex v, Value value) {
     if (v.index() >= values_.size()) values_.resize(v.index() + std::size_t{1});
     values_[v.index()] = std::move(value);
@@ -60,16 +65,21 @@ class Averaging {
   std::vector<Value> values_;
 };
 
-/// New values of all old vertices, combined from the old values of all and set afterwards.
+template <class Geometry>
+void reserve_values(Geometry& geometry, std::size_t vertices) {
+  if constexpr (requires { geometry.reserve(vertices); }) geometry.reserve(vertices);
+}
+
+/// New values of old vertices, combined from the old values of all and set afterwards.
 template <class Geometry>
 class Moves {
  public:
   /// `mask_of(v, mask)` writes the mask of v.
   template <class MaskOf>
-  Moves(const Surface& surface, const Geometry& geometry, MaskOf&& mask_of) {
-    waiting_.reserve(static_cast<std::size_t>(surface.characteristic().v));
+  Moves(std::span<const Vertex> vertices, const Geometry& geometry, MaskOf&& mask_of) {
+    waiting_.reserve(vertices.size());
     std::vector<Term> mask;
-    for (const Vertex v : surface.vertices()) {
+    for (const Vertex v : vertices) {
       mask_of(v, mask);
       waiting_.emplace_back(v, geometry.combine(mask));
     }

@@ -14,14 +14,6 @@ double alpha(std::uint32_t n) {
   return (40 - t * t) / 64;
 }
 
-/// What a half-edge is, while edges are being split: the number of an old edge, or one of these.
-constexpr std::uint32_t no_edge = ~0u;       ///< a half of an old edge, or between new vertices
-constexpr std::uint32_t to_flip = ~0u - 1u;  ///< from a new vertex to the old one that opposed it
-
-bool is_old(std::uint32_t number) {
-  return number < to_flip;
-}
-
 }  // namespace
 
 void loop_vertex_mask(const Surface& surface, const Creases& creases, Vertex v,
@@ -51,62 +43,52 @@ Result<Done, Violation> loop_check(const Surface& surface) {
   return Done{};
 }
 
+// clang-format off
+//
 //           c                 c                 c                  c
 //          / \               /|\               /|\                / \        .
 //         /   \             / | \             / | 2              3---2
 //        /     \    ->     /  |  \     ->    /  |/ \     ->     / \ / \      The edges of a
 //       a ----- b         a - 1 - b         a - 1 - b          a - 1 - b     triangle are split in
 //                                                                            any order: that from
-// the first new vertex to the old one opposite is flipped when all are split.
+// the first new vertex to the old one opposite, the diagonal, is flipped when all are split.
+//
+// clang-format on
+//
 std::vector<Vertex> loop_refine(Surface& surface, Creases& creases,
                                 std::span<const HalfEdge> edges) {
-  const auto faces = static_cast<std::uint32_t>(surface.characteristic().f);
-  surface.reserve(3 * faces, static_cast<std::uint32_t>(edges.size()));
-  std::vector<std::uint32_t> number;
-  number.reserve(surface.half_edge_limit() + 9 * std::size_t{faces});
-  number.resize(surface.half_edge_limit(), no_edge);
-  const auto at = [&](HalfEdge h) -> std::uint32_t& { return number[h.index()]; };
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    for (const HalfEdge side : surface.star(edges[i])) at(side) = static_cast<std::uint32_t>(i);
+  surface.reserve(static_cast<std::uint32_t>(3 * surface.characteristic().f),
+                  static_cast<std::uint32_t>(edges.size()));
+  std::vector<HalfEdge> twins;
+  twins.reserve(edges.size());
+  for (const HalfEdge h : edges) twins.push_back(surface.sym(h));
+  // Where sides of old faces are, null once they are split; and their diagonals.
+  std::vector<HalfEdge> side(surface.half_edge_limit()), diagonal(surface.face_limit());
+  for (std::uint32_t i = 0; i < side.size(); ++i) side[i] = HalfEdge(i);
 
-  std::vector<Vertex> made(edges.size());
-  std::vector<Face> pending;
-  pending.reserve(2 * std::size_t{faces});
-  for (const Face f : surface.faces()) pending.push_back(f);
-
-  const auto split = [&](HalfEdge h) {
-    struct Side {
-      HalfEdge h;
-      std::uint32_t next, prev;
-    };
-    std::array<Side, 2> sides;
-    std::size_t count = 0;
-    for (const HalfEdge side : surface.star(h))
-      sides[count++] = {side, at(lnext(side)), at(lprev(side))};
-    made[at(h)] = *creases.split(surface, h, Point());
-    number.resize(surface.half_edge_limit(), no_edge);
-    for (const Side& side : std::span(sides).first(count)) {
-      const Face f = left(side.h), fresh = left(surface.sym(half_edge(f, 0)));
-      const bool first = is_old(side.next) && is_old(side.prev);
-      at(half_edge(f, 0)) = at(half_edge(fresh, 2)) = first ? to_flip : no_edge;
-      at(half_edge(f, 1)) = side.prev;
-      at(half_edge(fresh, 1)) = side.next;
-      at(half_edge(f, 2)) = at(half_edge(fresh, 0)) = no_edge;
-      if (is_old(side.next)) pending.push_back(fresh);
-    }
-  };
-  for (std::size_t i = 0; i < pending.size(); ++i) {
-    const Face f = pending[i];
-    for (bool again = true; again;) {
-      again = false;
-      for (unsigned c = 0; c < 3 && !again; ++c)
-        if (is_old(at(half_edge(f, c)))) split(half_edge(f, c)), again = true;
+  std::vector<Vertex> made;
+  made.reserve(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const HalfEdge old[] = {edges[i], twins[i]};
+    const HalfEdge split[] = {side[old[0].index()], old[1] ? side[old[1].index()] : HalfEdge()};
+    made.push_back(*creases.split(surface, split[0], Point()));
+    for (std::size_t k = 0; k < 2 && old[k]; ++k) {
+      // What was left of the edge is f and fresh, in which the other sides are half-edge 1.
+      const Face f = left(split[k]), fresh = left(surface.sym(half_edge(f, 0)));
+      HalfEdge& next = side[lnext(old[k]).index()];
+      HalfEdge& prev = side[lprev(old[k]).index()];
+      HalfEdge& cut = diagonal[left(old[k]).index()];
+      for (HalfEdge* moved : {&next, &prev, &cut}) {
+        if (*moved == lnext(split[k]))
+          *moved = half_edge(fresh, 1);
+        else if (*moved == lprev(split[k]))
+          *moved = half_edge(f, 1);
+      }
+      if (!cut) cut = half_edge(f, 0);
+      side[old[k].index()] = HalfEdge();
+      if (!next && !prev) (void)creases.flip(surface, cut);
     }
   }
-  // Of the four faces of a triangle two have such an edge, the same: flips do not disturb others.
-  for (std::uint32_t i = 0; i < number.size(); ++i)
-    if (number[i] == to_flip && HalfEdge(i) < surface.sym(HalfEdge(i)))
-      (void)creases.flip(surface, HalfEdge(i));
   return made;
 }
 

@@ -25,7 +25,7 @@ void loop_limit_mask(const Surface& surface, const Creases& creases, Vertex v,
 
 /// The connectivity alone: splits all edges, and flips those new ones that lead to old vertices.
 /// Which vertex is on which of `edges`. Preconditions: those of subdivide_loop hold, `edges` are
-/// edges_of(surface).
+/// all, each once.
 std::vector<Vertex> loop_refine(Surface& surface, Creases& creases,
                                 std::span<const HalfEdge> edges);
 /// Are there ids for all new faces, and two faces at every interior edge?
@@ -41,10 +41,11 @@ template <class Geometry>
 Result<Done, Violation> subdivide_loop(Surface& surface, Geometry& geometry, Creases& creases) {
   if (const auto ok = loop_check(surface); !ok) return ok;
   std::vector<Term> mask;
-  Moves<Geometry> moves(surface, geometry, [&](Vertex v, std::vector<Term>& of_v) {
-    loop_vertex_mask(surface, creases, v, of_v);
-  });
-  const std::vector<HalfEdge> edges = edges_of(surface);
+  const std::vector<Face> faces = newest_faces(surface);
+  Moves<Geometry> moves(
+      vertices_along(surface, faces), geometry,
+      [&](Vertex v, std::vector<Term>& of_v) { loop_vertex_mask(surface, creases, v, of_v); });
+  const std::vector<HalfEdge> edges = edges_along(surface, faces);
   std::vector<typename Geometry::Value> values;
   values.reserve(edges.size());
   for (const HalfEdge h : edges) {
@@ -52,6 +53,7 @@ Result<Done, Violation> subdivide_loop(Surface& surface, Geometry& geometry, Cre
     values.push_back(geometry.combine(mask));
   }
   const std::vector<Vertex> made = loop_refine(surface, creases, edges);
+  reserve_values(geometry, surface.vertex_limit());
   moves.set(geometry);
   for (std::size_t i = 0; i < made.size(); ++i) geometry.set(made[i], std::move(values[i]));
   return Done{};

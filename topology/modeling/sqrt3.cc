@@ -1,6 +1,7 @@
 // The refinement of sqrt(3) subdivision: CAGD 2010, §7.3, Algorithm 4.
 #include "topology/modeling/sqrt3.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -49,12 +50,12 @@ void sqrt3_limit_mask(const Surface& surface, const Creases& creases, Vertex v,
 }
 
 Result<Sqrt3Plan, Violation> sqrt3_plan(const Surface& surface, const Creases& creases,
-                                        Sqrt3Step step) {
+                                        Sqrt3Step step, std::span<const Face> faces) {
   if (surface.characteristic().f > std::int64_t{max_faces} / 3)
     return Failure{Violation{Precondition::ids_left, max_faces}};
   Sqrt3Plan plan;
   plan.faces.reserve(static_cast<std::size_t>(surface.characteristic().f));
-  for (const Face f : surface.faces()) {
+  for (const Face f : faces) {
     unsigned sharp = 0;
     if (step == Sqrt3Step::second) {
       for (const HalfEdge h : surface.star(f)) {
@@ -89,15 +90,31 @@ Sqrt3Made sqrt3_refine(Surface& surface, Creases& creases, const Sqrt3Plan& plan
     const HalfEdge p_b = half_edge(left(surface.sym(half_edge(left(h), 0))), 0);
     made.on_edges.push_back({p, *creases.split(surface, p_b, Point())});
   }
-  for (const Face f : plan.faces) made.in_faces.push_back(*creases.split(surface, f, Point()));
-
-  const std::uint32_t limit = surface.face_limit();
-  for (std::uint32_t i = 0; i < limit; ++i) {
-    if (!surface.is_live(Face(i))) continue;
-    const HalfEdge h = half_edge(Face(i), 1), twin = surface.sym(h);
-    if (!twin || twin < h || corner(twin) != 1 || creases.is_sharp(surface, h)) continue;
+  // Faces made whose half-edge 1 is an old edge: it is flipped once it is so from both sides.
+  std::vector<bool> waits(surface.face_limit() + 2 * plan.faces.size());
+  const auto flip = [&](Face f) {
+    const HalfEdge h = half_edge(f, 1), twin = surface.sym(h);
+    if (!twin || corner(twin) != 1 || creases.is_sharp(surface, h)) return;
+    if (!waits[f.index()] || !waits[left(twin).index()]) return;
     (void)creases.flip(surface, h);
+    waits[f.index()] = waits[left(twin).index()] = false;
+  };
+  const auto wait = [&](Face f) { waits[f.index()] = true; };
+  std::vector<Face> beside;
+  for (const auto& pair : made.on_edges)
+    for (const Vertex v : pair)
+      for (const HalfEdge h : surface.fan(v)) beside.push_back(left(h));
+  std::ranges::for_each(beside, wait);
+  for (const Face f : plan.faces) {
+    const Vertex v = *creases.split(surface, f, Point());
+    made.in_faces.push_back(v);
+    const HalfEdge h = surface.star_half_edge(v);
+    const std::array parts = {left(h), left(surface.sym(lprev(h))),
+                              left(surface.sym(half_edge(left(h), 0)))};
+    std::ranges::for_each(parts, wait);
+    std::ranges::for_each(parts, flip);
   }
+  std::ranges::for_each(beside, flip);
   return made;
 }
 

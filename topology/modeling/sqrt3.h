@@ -35,13 +35,14 @@ void sqrt3_edge_mask_at_dest(const Surface& surface, const Creases& creases, Hal
 void sqrt3_limit_mask(const Surface& surface, const Creases& creases, Vertex v,
                       std::vector<Term>& mask);
 
-/// The faces that the step splits, and the edges that it cuts in three, in their order.
+/// The faces that the step splits, and the edges that it cuts in three, in the order of `faces`,
+/// which are all.
 struct Sqrt3Plan {
   std::vector<Face> faces;
   std::vector<HalfEdge> edges;
 };
 Result<Sqrt3Plan, Violation> sqrt3_plan(const Surface& surface, const Creases& creases,
-                                        Sqrt3Step step);
+                                        Sqrt3Step step, std::span<const Face> faces);
 /// The vertices that were put there; of an edge, that near org(h) first.
 struct Sqrt3Made {
   std::vector<Vertex> in_faces;
@@ -60,12 +61,14 @@ Sqrt3Made sqrt3_refine(Surface& surface, Creases& creases, const Sqrt3Plan& plan
 template <class Geometry>
 Result<Done, Violation> subdivide_sqrt3(Surface& surface, Geometry& geometry, Creases& creases,
                                         Sqrt3Step step) {
-  const auto plan = sqrt3_plan(surface, creases, step);
-  if (!plan) return Failure{plan.error()};
   std::vector<Term> mask;
-  Moves<Geometry> moves(surface, geometry, [&](Vertex v, std::vector<Term>& of_v) {
-    sqrt3_vertex_mask(surface, creases, v, step, of_v);
-  });
+  const std::vector<Face> faces = newest_faces(surface);
+  const auto plan = sqrt3_plan(surface, creases, step, faces);
+  if (!plan) return Failure{plan.error()};
+  Moves<Geometry> moves(vertices_along(surface, faces), geometry,
+                        [&](Vertex v, std::vector<Term>& of_v) {
+                          sqrt3_vertex_mask(surface, creases, v, step, of_v);
+                        });
   std::vector<typename Geometry::Value> in_faces, on_edges;
   in_faces.reserve(plan->faces.size());
   for (const Face f : plan->faces) {
@@ -80,6 +83,7 @@ Result<Done, Violation> subdivide_sqrt3(Surface& surface, Geometry& geometry, Cr
     on_edges.push_back(geometry.combine(mask));
   }
   const Sqrt3Made made = sqrt3_refine(surface, creases, *plan);
+  reserve_values(geometry, surface.vertex_limit());
   moves.set(geometry);
   for (std::size_t i = 0; i < in_faces.size(); ++i)
     geometry.set(made.in_faces[i], std::move(in_faces[i]));

@@ -18,6 +18,7 @@ struct SurfacePeer {
   auto& org() { return s.org_; }
   auto& twin() { return s.twin_; }
   auto& nodes() { return s.rings_.nodes_; }
+  auto& node() { return s.node_; }
   auto& component() { return s.component_; }
   auto& star() { return s.star_; }
   auto& corners() { return s.corners_; }
@@ -28,6 +29,9 @@ struct SurfacePeer {
   auto& free_vertices() { return s.vertices_.free_; }
   auto& free_curves() { return s.curves_.free_; }
   auto& free_components() { return s.components_.free_; }
+  auto& free_nodes() { return s.rings_.pool_.free_; }
+
+  std::uint32_t node_of(HalfEdge h) { return s.node(h).index(); }
 };
 
 namespace {
@@ -69,12 +73,17 @@ TEST(Validate, NamesTheInvariantAndTheElement) {
   const HalfEdge h(inside), b(rim);
   const std::uint32_t v = s.org(h).index();
   const Curve c = s.curve(b);
-  const std::uint32_t root = s.on_curve(c).index();
+  Surface copy = s;
+  SurfacePeer peer{copy};
+  const std::uint32_t root = peer.node_of(s.on_curve(c)), rim_vertex = s.org(b).index();
   const std::uint32_t leaf = [&] {
     for (const HalfEdge x : s.boundary(c))
-      if (x != s.on_curve(c)) return x.index();
+      if (x != s.on_curve(c)) return peer.node_of(x);
     return 0u;
   }();
+  ASSERT_FALSE(peer.free_nodes().empty());
+  const std::uint32_t free_node = peer.free_nodes().front().index();
+  const internal::RingNode spare(free_node);
   const Component k = s.component(left(h));
 
   expect(Invariant::array_sizes, s.half_edge_limit() - 1,
@@ -113,16 +122,30 @@ TEST(Validate, NamesTheInvariantAndTheElement) {
     p.star()[from.index()] = HalfEdge();
     p.free_vertices().push_back(from);
   });
+  expect(Invariant::node_pool, free_node,
+         [&](SurfacePeer p) { std::erase(p.free_nodes(), spare); });
+  expect(Invariant::node_pool, free_node, [&](SurfacePeer p) { p.free_nodes().push_back(spare); });
+  expect(Invariant::node_pool, leaf, [&](SurfacePeer p) { p.free_nodes().emplace_back(leaf); });
+  expect(Invariant::node_pool, free_node, [&](SurfacePeer p) { p.nodes()[free_node].size = 1; });
   expect(Invariant::ring_links, leaf,
-         [&](SurfacePeer p) { p.nodes()[leaf].parent = HalfEdge(9999); });
+         [&](SurfacePeer p) { p.nodes()[leaf].parent = internal::RingNode(9999); });
   expect(Invariant::ring_links, leaf,
-         [&](SurfacePeer p) { p.nodes()[leaf].parent = HalfEdge(leaf); });
-  expect(Invariant::ring_links, inside, [&](SurfacePeer p) { p.nodes()[inside].lower = b; });
-  expect(Invariant::ring_members, inside, [&](SurfacePeer p) { p.nodes()[inside].size = 1; });
-  expect(Invariant::ring_members, rim, [&](SurfacePeer p) { p.nodes()[rim].size = 0; });
+         [&](SurfacePeer p) { p.nodes()[leaf].parent = internal::RingNode(leaf); });
+  expect(Invariant::ring_links, free_node,
+         [&](SurfacePeer p) { p.nodes()[free_node].lower = internal::RingNode(leaf); });
+  expect(Invariant::ring_members, v,
+         [&](SurfacePeer p) { p.node()[v] = internal::RingNode(leaf); });
+  expect(Invariant::ring_members, rim_vertex,
+         [&](SurfacePeer p) { p.node()[rim_vertex] = internal::RingNode(); });
+  expect(Invariant::ring_members, rim_vertex,
+         [&](SurfacePeer p) { p.node()[rim_vertex] = internal::RingNode(9999); });
+  // Two vertices on one node, so that another has leaked.
+  expect(Invariant::ring_members, rim_vertex, [&](SurfacePeer p) {
+    p.node()[rim_vertex] = p.node()[s.org(s.boundary_next(b)).index()];
+  });
   expect(Invariant::ring_shape, root, [&](SurfacePeer p) { ++p.nodes()[root].size; });
   expect(Invariant::curve_names, c.index(),
-         [&](SurfacePeer p) { p.ring()[c.index()] = HalfEdge(leaf); });
+         [&](SurfacePeer p) { p.ring()[c.index()] = internal::RingNode(leaf); });
   expect(Invariant::curve_names, c.index(), [&](SurfacePeer p) { p.nodes()[leaf].curve = c; });
   expect(Invariant::component_labels, left(h).index(),
          [&](SurfacePeer p) { p.component()[left(h).index()] = Component(9999); });
@@ -183,13 +206,14 @@ TEST(Validate, AnythingAnywhere) {
     Surface s = good;
     SurfacePeer p{s};
     const std::uint32_t n = s.half_edge_limit();
+    const auto nodes = static_cast<std::uint32_t>(p.nodes().size());
     bool changed = false;
     const int places = round % 2 == 0 ? 1 : 5;
     bool star_only = true;
     for (int i = 0; i < places; ++i) {
-      const auto array = random() % 9;
+      const auto array = random() % 10;
       bool one = false;
-      auto& node = p.nodes()[random() % n];
+      auto& node = p.nodes()[random() % nodes];
       const internal::Rings::Node old = node;
       switch (array) {
         case 0: one = put(p.org(), s.vertex_limit()); break;
@@ -197,19 +221,21 @@ TEST(Validate, AnythingAnywhere) {
         case 2: one = put(p.star(), n); break;
         case 3: one = put(p.corners(), 10); break;
         case 4: one = put(p.component(), 8); break;
-        case 5: one = put(p.ring(), n); break;
+        case 5: one = put(p.ring(), nodes); break;
         case 6:
-          (random() % 2 ? node.lower : node.upper) = HalfEdge(any(n));
+          (random() % 2 ? node.lower : node.upper) = internal::RingNode(any(nodes));
           one = node.lower != old.lower || node.upper != old.upper;
           break;
         case 7:
-          node.parent = HalfEdge(any(n));
+          node.parent = internal::RingNode(any(nodes));
           one = node.parent != old.parent;
           break;
+        case 8: one = put(p.node(), nodes); break;
         default:
           node.size = any(20);
           node.curve = Curve(any(8));
-          one = node.size != old.size || node.curve != old.curve;
+          node.vertex = Vertex(any(s.vertex_limit()));
+          one = node.size != old.size || node.curve != old.curve || node.vertex != old.vertex;
           break;
       }
       changed = changed || one;
