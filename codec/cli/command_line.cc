@@ -371,19 +371,24 @@ class CommandLine {
         ->excludes(to);
   }
   void from(CLI::App& sub) {
-    format(sub, "--from", options_.from, "format of the input; default: by its name");
+    format(sub, "--from", options_.from, "format of the input; default: by its name")
+        .option_text("ply|obj|off|stl|glb|gltf|drc");
   }
-  void to(CLI::App& sub, const char* what) { format(sub, "--to", options_.to, what); }
-  void format(CLI::App& sub, const char* name, std::optional<Format>& target, const char* what) {
-    sub.add_option(
-           name,
-           [&target, name](const CLI::results_t& values) {
-             target = format_of(values.back());
-             if (!target) refuse(name, format_names, values.back());
-             return true;
-           },
-           what)
-        ->option_text("ply|obj|off|stl|glb|gltf");
+  void to(CLI::App& sub, const char* what) {
+    format(sub, "--to", options_.to, what).option_text("ply|obj|off|stl|glb|gltf");
+  }
+  CLI::Option& format(CLI::App& sub, const char* name, std::optional<Format>& target,
+                      const char* what) {
+    const bool written = &target == &options_.to;
+    return *sub.add_option(
+        name,
+        [&target, name, written](const CLI::results_t& values) {
+          target = format_of(values.back());
+          if (!target || (written && is_read_only(*target)))
+            refuse(name, written ? written_names : read_names, values.back());
+          return true;
+        },
+        what);
   }
   void text(CLI::App& sub) {
     sub.add_flag("--text", options_.text, "text instead of binary, for ply and stl");
