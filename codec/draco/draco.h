@@ -18,8 +18,7 @@ namespace CLERS_VISIBLE draco {
 /// What a .drc file becomes:
 ///
 ///   vertices    The different positions, as draco_decoder writes an OBJ. Where nothing is shared
-///               (sequential coding, point clouds) they are Draco's points. Where points that no
-///               face uses differ in more than their positions, too.
+///               (sequential coding, point clouds) they are Draco's points.
 ///   attributes  "position", "normal", "color", "texcoord"; a generic one has the name that the
 ///               metadata give it, or is "generic". Others of one name are "color.1", ..
 ///               One that is the same at all points of a vertex is of vertices; a generic one that

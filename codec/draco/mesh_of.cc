@@ -7,7 +7,6 @@
 // Points 0 and 3 are one vertex here, that a seam parts.
 #include "codec/draco/mesh_of.h"
 
-#include <algorithm>
 #include <cstring>
 #include <set>
 #include <utility>
@@ -105,19 +104,11 @@ class Builder {
     return as_points_ ? point : value_at(*position_, point);
   }
 
-  /// Positions are vertices, unless that would lose what a point without faces has.
+  /// Positions are vertices, unless nothing is shared.
   void choose_vertices() {
     position_ = points_.GetNamedAttribute(::draco::GeometryAttribute::POSITION);
     as_points_ = mesh_ == nullptr || position_ == nullptr || position_->is_mapping_identity();
     vertices_ = as_points_ ? count_ : static_cast<std::uint32_t>(position_->size());
-    if (as_points_) return;
-    std::vector<bool> used(count_);
-    for (const std::uint32_t p : corners_) used[p] = true;
-    if (std::find(used.begin(), used.end(), false) == used.end()) return;
-    std::vector<std::uint32_t> values;
-    for (std::int32_t i = 0; i < points_.num_attributes() && !as_points_; ++i)
-      as_points_ = !by_vertex(*points_.attribute(i), values);
-    if (as_points_) vertices_ = count_;
   }
 
   /// Which value each vertex has; false if it has several.
@@ -130,27 +121,28 @@ class Builder {
     }
     return true;
   }
-  /// The same of faces.
-  bool by_face(const ::draco::PointAttribute& from, std::vector<std::uint32_t>& values) const {
-    values.clear();
-    for (std::size_t c = 0; c < corners_.size(); c += 3) {
-      const std::uint32_t value = value_at(from, corners_[c]);
-      if (value_at(from, corners_[c + 1]) != value || value_at(from, corners_[c + 2]) != value)
-        return false;
-      values.push_back(value);
-    }
+  /// Is a value the same at all corners of each face? Draco has it three times there.
+  bool is_of_faces(const ::draco::PointAttribute& from, std::size_t size) const {
+    const auto value = [&](std::size_t corner) {
+      return from.GetAddress(::draco::AttributeValueIndex(value_at(from, corners_[corner])));
+    };
+    for (std::size_t c = 0; c < corners_.size(); c += 3)
+      for (std::size_t k = 1; k < 3; ++k)
+        if (std::memcmp(value(c), value(c + k), size) != 0) return false;
     return true;
   }
 
   void by_index(const ::draco::PointAttribute& from, Attribute& a) const {
     const bool generic = from.attribute_type() == ::draco::GeometryAttribute::GENERIC;
-    if (by_vertex(from, a.indices)) {
-      a.domain = Domain::vertex;
-    } else if (generic && by_face(from, a.indices)) {
-      a.domain = Domain::face;
-    } else {
-      a.domain = Domain::corner;
+    if (!by_vertex(from, a.indices)) {
       a.indices.clear();
+      if (generic && is_of_faces(from, a.stride())) {
+        a.domain = Domain::face;
+        for (std::size_t c = 0; c < corners_.size(); c += 3)
+          append_value(from, value_at(from, corners_[c]), a);
+        return;
+      }
+      a.domain = Domain::corner;
       for (const std::uint32_t p : corners_) a.indices.push_back(value_at(from, p));
     }
     all_values(from, a);

@@ -114,7 +114,7 @@ Expected<ReadResult> read_file(std::span<const std::byte> bytes, const Limits& l
     result.notes.push_back(count(entries.left_out, "entry", "entries") +
                            " of Draco's metadata have no name that can be kept");
   if (decoded->left > 0)
-    result.notes.push_back(count(decoded->left, "byte", "bytes") + " behind the mesh mean nothing");
+    result.notes.push_back(count(decoded->left, "byte", "bytes") + " behind the mesh left out");
   return result;
 }
 
