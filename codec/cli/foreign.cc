@@ -1,4 +1,5 @@
-// The only file that knows which of these libraries there are: CLERS_WITH_DRACO, CLERS_WITH_MESHOPT.
+// The only file that knows which of these libraries there are: CLERS_WITH_DRACO,
+// CLERS_WITH_MESHOPT.
 #include "codec/cli/foreign.h"
 
 #include <utility>
@@ -47,15 +48,14 @@ gltf::Decoders foreign_decoders() {
 }
 
 std::string missing_decoders() {
-  std::string names;
+  std::string lines;
 #ifndef CLERS_WITH_DRACO
-  names = "Draco (.drc, KHR_draco_mesh_compression)";
+  lines += "Built without Draco: no .drc, and KHR_draco_mesh_compression is not decoded.\n";
 #endif
 #ifndef CLERS_WITH_MESHOPT
-  names += names.empty() ? "" : " and ";
-  names += "meshoptimizer (EXT_meshopt_compression)";
+  lines += "Built without meshoptimizer: EXT_meshopt_compression is not decoded.\n";
 #endif
-  return names;
+  return lines;
 }
 
 }  // namespace clers::cli

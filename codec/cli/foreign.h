@@ -15,7 +15,7 @@ Outcome<SceneFile> parse_drc(const std::string& path, std::span<const std::byte>
 /// What gltf::read() decodes.
 gltf::Decoders foreign_decoders();
 
-/// For the help: which of these this program is without; "" if it has all.
+/// For the help: a line for each of these that this program is without.
 std::string missing_decoders();
 
 }  // namespace clers::cli

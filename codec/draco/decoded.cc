@@ -87,8 +87,8 @@ class Asking : public Base {
       const std::uint64_t stride =
           std::max<std::uint64_t>(std::uint64_t(points.attribute(i)->byte_stride()),
                                   4u * points.attribute(i)->num_components());
-      bytes += points.num_points() * stride * copies_of_values +
-               faces_ * 3 * bytes_a_corner_attribute;
+      bytes +=
+          points.num_points() * stride * copies_of_values + faces_ * 3 * bytes_a_corner_attribute;
     }
     if (auto ok = budget_.take(bytes); !ok) return refuse(Failure{ok.error()});
     return Base::DecodeAllAttributes();
@@ -131,6 +131,7 @@ Expected<Decoded> run(::draco::DecoderBuffer& buffer, const Limits& limits, std:
   Decoded decoded;
   if constexpr (std::is_same_v<Geometry, ::draco::Mesh>) decoded.mesh = geometry.get();
   decoded.edgebreaker = std::is_same_v<Base, ::draco::MeshEdgebreakerDecoder>;
+  decoded.tree = std::is_same_v<Base, ::draco::PointCloudKdTreeDecoder>;
   decoded.left = static_cast<std::size_t>(std::max<std::int64_t>(0, buffer.remaining_size()));
   for (std::int32_t i = 0; i < geometry->num_attributes(); ++i)
     decoded.bits.push_back(bits_of(decoder.GetPortableAttribute(i)));
@@ -145,8 +146,8 @@ bool is_sound(const Decoded& decoded) {
   for (std::int32_t i = 0; i < points.num_attributes(); ++i) {
     const ::draco::PointAttribute& a = *points.attribute(i);
     const std::uint64_t stride = std::uint64_t(a.byte_stride());
-    const std::uint64_t value = std::uint64_t(::draco::DataTypeLength(a.data_type())) *
-                                a.num_components();
+    const std::uint64_t value =
+        std::uint64_t(::draco::DataTypeLength(a.data_type())) * a.num_components();
     if (a.buffer() == nullptr || value == 0 || a.data_type() == ::draco::DT_INVALID ||
         a.byte_offset() < 0 || stride < value ||
         std::uint64_t(a.byte_offset()) + a.size() * stride > a.buffer()->data_size())
@@ -176,10 +177,10 @@ Expected<Decoded> decode(std::span<const std::byte> bytes, const Limits& limits)
   const bool points = header.encoder_type == ::draco::POINT_CLOUD;
   switch (header.encoder_method) {
     case ::draco::MESH_SEQUENTIAL_ENCODING:  // the same number as POINT_CLOUD_SEQUENTIAL_ENCODING
-      return points ? run<::draco::PointCloudSequentialDecoder, ::draco::PointCloud>(buffer, limits,
-                                                                                     bytes.size())
-                    : run<::draco::MeshSequentialDecoder, ::draco::Mesh>(buffer, limits,
-                                                                         bytes.size());
+      return points
+                 ? run<::draco::PointCloudSequentialDecoder, ::draco::PointCloud>(buffer, limits,
+                                                                                  bytes.size())
+                 : run<::draco::MeshSequentialDecoder, ::draco::Mesh>(buffer, limits, bytes.size());
     case ::draco::MESH_EDGEBREAKER_ENCODING:  // the same number as POINT_CLOUD_KD_TREE_ENCODING
       return points ? run<::draco::PointCloudKdTreeDecoder, ::draco::PointCloud>(buffer, limits,
                                                                                  bytes.size())
@@ -187,8 +188,8 @@ Expected<Decoded> decode(std::span<const std::byte> bytes, const Limits& limits)
                                                                           bytes.size());
     default: break;
   }
-  return fail(ErrorCode::unsupported, "method " + std::to_string(header.encoder_method) +
-                                          " of Draco, expected 0 or 1");
+  return fail(ErrorCode::unsupported,
+              "method " + std::to_string(header.encoder_method) + " of Draco, expected 0 or 1");
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ struct Decoded {
   std::unique_ptr<::draco::PointCloud> points;
   const ::draco::Mesh* mesh = nullptr;  ///< the same, if there are triangles
   bool edgebreaker = false;             ///< triangles are in an order of Draco's
+  bool tree = false;                    ///< points are, and all values were made integers
   std::vector<unsigned> bits;           ///< to how many each attribute is quantised; 0: not known
   std::size_t left = 0;                 ///< bytes behind it
 };

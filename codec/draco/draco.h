@@ -38,8 +38,8 @@ struct ReadResult {
 ///
 /// Errors: malformed; unsupported, of a version that the library does not know; limit, before
 /// Draco allocates what its headers ask for; out_of_memory. Memory: some 200 bytes a face. The
-/// bytes go through Google's decoder, which checks what it reads but has had its faults: trust files
-/// of strangers no further than you trust that.
+/// bytes go through Google's decoder, which checks what it reads but has had its faults: trust
+/// files of strangers no further than you trust that.
 Expected<ReadResult> read(std::span<const std::byte> bytes, const Limits& limits = {});
 
 /// The hook for gltf::Decoders: what the bufferView of a KHR_draco_mesh_compression holds. Vertices

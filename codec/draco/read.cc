@@ -38,13 +38,15 @@ class Entries {
     if (metadata == nullptr) return;
     add("draco", *metadata);
     for (const auto& of_attribute : metadata->attribute_metadatas()) {
-      const std::int32_t i = decoded.points->GetAttributeIdByUniqueId(of_attribute->att_unique_id());
+      const std::int32_t i =
+          decoded.points->GetAttributeIdByUniqueId(of_attribute->att_unique_id());
       if (i >= 0) add("draco." + mesh_.attributes[std::size_t(i)].name, *of_attribute);
     }
   }
 
   void add(const std::string& key, std::string value) {
-    const bool good = key.size() <= longest_key && internal::is_utf8(key) && keys_.insert(key).second;
+    const bool good =
+        key.size() <= longest_key && internal::is_utf8(key) && keys_.insert(key).second;
     if (good)
       mesh_.metadata.push_back({key, std::move(value)});
     else
@@ -67,13 +69,14 @@ std::string count(std::size_t n, const char* one, const char* many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
-/// "position to 11 bits and normal to 8"
+/// "position to 11 bits, normal to 8 bits"
 std::string quantised(const Decoded& decoded, const Mesh& mesh) {
   std::string text;
   for (std::size_t i = 0; i < decoded.bits.size(); ++i) {
-    if (decoded.bits[i] == 0) continue;
-    text += text.empty() ? "" : ", ";
-    text += mesh.attributes[i].name + " to " + std::to_string(decoded.bits[i]) + " bits";
+    const bool somehow = decoded.tree && is_float(mesh.attributes[i].scalar);
+    if (decoded.bits[i] == 0 && !somehow) continue;
+    text += (text.empty() ? "" : ", ") + mesh.attributes[i].name;
+    if (decoded.bits[i] > 0) text += " to " + std::to_string(decoded.bits[i]) + " bits";
   }
   return text;
 }
@@ -105,8 +108,10 @@ Expected<ReadResult> read_file(std::span<const std::byte> bytes, const Limits& l
     result.notes.push_back("Draco has quantised " + what + ": what values were before is lost");
   if (decoded->edgebreaker)
     result.notes.push_back(
-        "Draco's Edgebreaker has changed the order of faces and vertices, left out degenerate faces "
+        "Draco's Edgebreaker has changed the order of faces and vertices, left out degenerate "
+        "faces "
         "and split vertices where faces were not manifold: what there was of these is not known");
+  if (decoded->tree) result.notes.push_back("Draco's tree has changed the order of points");
   if (decoded->mesh == nullptr)
     result.notes.push_back(count(decoded->points->num_points(), "point", "points") +
                            " became a mesh without faces");

@@ -13,9 +13,9 @@
 
 namespace clers::gltf {
 
-/// KHR_draco_mesh_compression: values of accessors, decoded, in views of their own. `empty`: buffers
-/// without bytes. Does nothing to a document without the extension; without `decode` only a remark
-/// is made. Errors: malformed; those of `decode`.
+/// KHR_draco_mesh_compression: values of accessors, decoded, in views of their own. `empty`:
+/// buffers without bytes. Does nothing to a document without the extension; without `decode` only a
+/// remark is made. Errors: malformed; those of `decode`.
 Expected<Done> decode_draco(Json& document, Buffers& buffers, const std::vector<bool>& empty,
                             const decltype(Decoders::draco)& decode,
                             std::vector<std::string>& remarks);

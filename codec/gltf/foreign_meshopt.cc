@@ -43,13 +43,14 @@ Expected<NewView> decode_view(const Json& json, const Json& extension, std::size
   if (!fault.empty()) return wrong(std::move(fault));
   if (buffer >= buffers.size()) return wrong("no such buffer");
   const std::vector<std::byte>& from = buffers[static_cast<std::size_t>(buffer)];
-  if (at > from.size() || size > from.size() - at) return wrong("goes beyond the end of its buffer");
+  if (at > from.size() || size > from.size() - at)
+    return wrong("goes beyond the end of its buffer");
   if (stride == 0 || count != length / stride || length % stride != 0)
     return wrong("the bufferView has no count * byteStride bytes");
-  auto bytes = decode(
-      std::span(from).subspan(static_cast<std::size_t>(at), static_cast<std::size_t>(size)),
-      static_cast<std::size_t>(count), static_cast<std::size_t>(stride),
-      text_of(extension, "mode", ""), text_of(extension, "filter", "NONE"));
+  auto bytes =
+      decode(std::span(from).subspan(static_cast<std::size_t>(at), static_cast<std::size_t>(size)),
+             static_cast<std::size_t>(count), static_cast<std::size_t>(stride),
+             text_of(extension, "mode", ""), text_of(extension, "filter", "NONE"));
   if (!bytes) return Failure{bytes.error()};
   if (bytes->size() != length) return wrong("is not decoded to as many bytes as it says");
   view.bytes = std::move(*bytes);

@@ -41,9 +41,9 @@ struct Decoders {
   /// metadata of the same keys that say how these were quantised ("14 bits").
   std::function<Expected<Mesh>(std::span<const std::byte> bytes)> draco;
   /// Of EXT_meshopt_compression: the bytes that a bufferView stands for, count * stride.
-  std::function<Expected<std::vector<std::byte>>(
-      std::span<const std::byte> bytes, std::size_t count, std::size_t stride,
-      std::string_view mode, std::string_view filter)>
+  std::function<Expected<std::vector<std::byte>>(std::span<const std::byte> bytes,
+                                                 std::size_t count, std::size_t stride,
+                                                 std::string_view mode, std::string_view filter)>
       meshopt;
 };
 

@@ -152,12 +152,12 @@ class Reader {
 
   /// What others compressed. Buffers without bytes may go with it.
   Expected<Done> decode_foreign() {
-    if (auto ok = decode_meshopt(document_, buffers_, marks_.empty, decoders_.meshopt,
-                                 result_.remarks);
+    if (auto ok =
+            decode_meshopt(document_, buffers_, marks_.empty, decoders_.meshopt, result_.remarks);
         !ok)
       return ok;
-    return decode_draco(document_, buffers_, as_set(marks_.empty, buffers_.size()),
-                        decoders_.draco, result_.remarks);
+    return decode_draco(document_, buffers_, as_set(marks_.empty, buffers_.size()), decoders_.draco,
+                        result_.remarks);
   }
 
   /// Indices that lead beyond the vertices, and those of sparse values that do not ascend.

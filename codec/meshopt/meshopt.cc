@@ -28,7 +28,8 @@ Expected<std::vector<std::byte>> decode(std::span<const std::byte> bytes, std::s
                 "EXT_meshopt_compression: no mode '" + std::string(mode) + "' is known");
   if (attributes ? stride == 0 || stride > 256 || stride % 4 != 0 : stride != 2 && stride != 4)
     return wrong("byteStride " + std::to_string(stride));
-  if (triangles && count % 3 != 0) return wrong("triangles of " + std::to_string(count) + " indices");
+  if (triangles && count % 3 != 0)
+    return wrong("triangles of " + std::to_string(count) + " indices");
   if (count > bytes.size() * most_times / stride)
     return wrong(std::to_string(bytes.size()) + " bytes cannot hold " + std::to_string(count) +
                  " elements");

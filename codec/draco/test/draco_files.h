@@ -42,8 +42,8 @@ Bytes encode(const Geometry& geometry, const How& how) {
 /// Attributes of make_tube(), by their places.
 enum : std::int32_t { position, normal, texcoord, color, material, heat };
 
-/// A tube of n x n squares, cut along a seam of its texture, with a number for each face, "material",
-/// and one for each vertex, "heat".
+/// A tube of n x n squares, cut along a seam of its texture, with a number for each face,
+/// "material", and one for each vertex, "heat".
 inline std::unique_ptr<::draco::Mesh> make_tube(int n) {
   using ::draco::GeometryAttribute;
   ::draco::TriangleSoupMeshBuilder builder;
@@ -94,8 +94,8 @@ inline std::unique_ptr<::draco::Mesh> make_tube(int n) {
   auto mesh = builder.Finalize();
   if (mesh->metadata() != nullptr) {  // what attributes say is there
     mesh->metadata()->AddEntryInt("answer", 42);
-    mesh->metadata()->AddSubMetadata("more", std::make_unique<::draco::Metadata>(
-                                                 *of_mesh->GetSubMetadata("more")));
+    mesh->metadata()->AddSubMetadata(
+        "more", std::make_unique<::draco::Metadata>(*of_mesh->GetSubMetadata("more")));
   }
   return mesh;
 }

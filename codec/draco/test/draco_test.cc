@@ -1,11 +1,12 @@
 // What we make of Draco's files has the triangles and values that Draco's own decoder has.
+#include "codec/draco/draco.h"
+
 #include <draco/compression/decode.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 
-#include "codec/draco/draco.h"
 #include "codec/draco/test/draco_files.h"
 #include <clers/encode.h>
 
@@ -184,7 +185,7 @@ TEST(Draco, LimitsAreAskedFirst) {
 
 TEST(Draco, HeadersThatAskForMuchAreRefused) {
   // Sequential, version 2.2, no metadata: a thousand million faces of as many points.
-  const unsigned char header[] = {'D', 'R', 'A', 'C', 'O', 2, 2, 1, 0, 0, 0,
+  const unsigned char header[] = {'D',  'R',  'A',  'C',  'O',  2,    2,    1,    0,    0,    0,
                                   0x80, 0x94, 0xeb, 0xdc, 0x03, 0x80, 0x94, 0xeb, 0xdc, 0x03, 0};
   const auto read = draco::read(std::as_bytes(std::span(header)));
   ASSERT_FALSE(read);

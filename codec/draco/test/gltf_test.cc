@@ -1,4 +1,6 @@
 // KHR_draco_mesh_compression becomes plain accessors.
+#include "codec/gltf/gltf.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 
 #include "codec/draco/draco.h"
 #include "codec/draco/test/draco_files.h"
-#include "codec/gltf/gltf.h"
 
 namespace clers {
 namespace {
@@ -56,7 +57,8 @@ class DracoInGltf : public ::testing::Test {
     document =
         R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_draco_mesh_compression","KHR_more"],)"
         R"("extensionsRequired":["KHR_draco_mesh_compression"],"buffers":[{"uri":"a.bin","byteLength":)" +
-        std::to_string(binary.size()) + R"(}],"bufferViews":[{"buffer":0,"byteOffset":4,"byteLength":)" +
+        std::to_string(binary.size()) +
+        R"(}],"bufferViews":[{"buffer":0,"byteOffset":4,"byteLength":)" +
         std::to_string(drc.size()) + R"(},{"buffer":0,"byteOffset":)" + std::to_string(morph) +
         R"(,"byteLength":)" + std::to_string(plain.vertex_count * 12) + R"(}],"accessors":[)" +
         accessor(5126, "VEC3") + accessor(5126, "VEC3") + accessor(5126, "VEC2") +
@@ -71,8 +73,9 @@ class DracoInGltf : public ::testing::Test {
   Expected<gltf::ReadResult> read(const std::vector<Edit>& edits = {},
                                   const gltf::Decoders& how = decoders) const {
     const std::string text = edited(document, edits);
-    return gltf::read(std::as_bytes(std::span(text)),
-                      [&](const std::string&) -> Expected<Bytes> { return binary; }, how);
+    return gltf::read(
+        std::as_bytes(std::span(text)),
+        [&](const std::string&) -> Expected<Bytes> { return binary; }, how);
   }
   const Attribute& of_draco(const std::string& id) const {
     return *std::find_if(plain.attributes.begin(), plain.attributes.end(),

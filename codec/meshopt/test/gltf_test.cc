@@ -1,11 +1,12 @@
 // EXT_meshopt_compression becomes plain views.
+#include "codec/gltf/gltf.h"
+
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
 
 #include <cstring>
 #include <string>
 
-#include "codec/gltf/gltf.h"
 #include "codec/meshopt/meshopt.h"
 
 namespace clers {
@@ -15,7 +16,8 @@ using Bytes = std::vector<std::byte>;
 
 const gltf::Decoders decoders{{}, meshopt::decode_for_gltf};
 
-/// A strip of triangles, its values compressed and its indices too, and a buffer that stands for both.
+/// A strip of triangles, its values compressed and its indices too, and a buffer that stands for
+/// both.
 class MeshoptInGltf : public ::testing::Test {
  protected:
   static constexpr unsigned n = 20;
@@ -41,8 +43,8 @@ class MeshoptInGltf : public ::testing::Test {
         number(binary.size()) + R"(},{"byteLength":4000,"extensions":{"EXT_meshopt_compression":)" +
         R"({"fallback":true}}}],"bufferViews":[{"buffer":1,"byteLength":)" + number(24 * n) +
         R"(,"byteStride":12,"target":34962,"extensions":{"EXT_meshopt_compression":{"buffer":0,)" +
-        R"("byteLength":)" + number(values.size()) + R"(,"byteStride":12,"count":)" + number(2 * n) +
-        R"(,"mode":"ATTRIBUTES"}}},{"buffer":1,"byteOffset":1000,"byteLength":)" +
+        R"("byteLength":)" + number(values.size()) + R"(,"byteStride":12,"count":)" +
+        number(2 * n) + R"(,"mode":"ATTRIBUTES"}}},{"buffer":1,"byteOffset":1000,"byteLength":)" +
         number(2 * indices.size()) +
         R"(,"target":34963,"extensions":{"EXT_meshopt_compression":{"buffer":0,"byteOffset":)" +
         number(second) + R"(,"byteLength":)" + number(triangles.size()) +
@@ -57,8 +59,9 @@ class MeshoptInGltf : public ::testing::Test {
                                   const gltf::Decoders& how = decoders) const {
     std::string text = document;
     if (!from.empty()) text.replace(text.find(from), from.size(), to);
-    return gltf::read(std::as_bytes(std::span(text)),
-                      [&](const std::string&) -> Expected<Bytes> { return binary; }, how);
+    return gltf::read(
+        std::as_bytes(std::span(text)),
+        [&](const std::string&) -> Expected<Bytes> { return binary; }, how);
   }
 
   std::vector<float> positions;

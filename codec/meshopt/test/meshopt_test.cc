@@ -1,4 +1,6 @@
 // What meshoptimizer compressed comes back; anything else is named.
+#include "codec/meshopt/meshopt.h"
+
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
 
@@ -6,8 +8,6 @@
 #include <cmath>
 #include <cstring>
 #include <string>
-
-#include "codec/meshopt/meshopt.h"
 
 namespace clers {
 namespace {
