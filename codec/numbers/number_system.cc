@@ -87,7 +87,9 @@ std::string describe(const Numbers& numbers, std::size_t component) {
       else
         text = "steps of " + short_number(spacing(s));
       break;
-    case NumberMap::affine: text = "steps of " + short_number(spacing(s)); break;
+    case NumberMap::affine:
+      text = "steps of " + short_number(spacing(s)) + (s.single ? " in floats" : "");
+      break;
     case NumberMap::octahedral: return "directions of " + counted(s.precision, "bit");
     case NumberMap::digits: text = counted(s.precision, "digit"); break;
     case NumberMap::binary: text = "float, " + counted(s.precision, "bit"); break;
