@@ -167,6 +167,7 @@ std::vector<NumberSystem> some_systems() {
     });
   add(NumberMap::affine, [](NumberSystem& s) { s.origin = 5e5, s.length = .1; });
   add(NumberMap::affine, [](NumberSystem& s) { s.length = 0x1p-140, s.ulps = 2; });
+  add(NumberMap::affine, [](NumberSystem& s) { s.origin = 3, s.length = .1, s.single = true; });
   for (const int exponent : {-22, -6, 0, 3})
     add(NumberMap::digits, [&](NumberSystem& s) {
       s.precision = static_cast<std::uint8_t>(exponent == 0 ? 15 : 6);
@@ -305,6 +306,46 @@ TEST(Numbers, StepsWithNoiseAreFound) {
   const NumberedValues coded = round_trip(numbers);
   EXPECT_EQ(coded.numbers.axes[0].top / 10000, 1u);
   EXPECT_LT(coded.bytes.size(), 3000u * 3 / 8);
+}
+
+/// As Draco makes floats of integers of 0 .. 2^bits - 1.
+std::vector<float> dequantised(float least, float range, unsigned bits, unsigned seed) {
+  Random random(seed);
+  const std::uint32_t top = (1u << bits) - 1;
+  const float length = range / static_cast<float>(top);
+  std::vector<float> numbers = {least};
+  for (int i = 0; i < 3000; ++i) {
+    volatile float product = static_cast<float>(random.below(top + 1)) * length;
+    numbers.push_back(product + least);
+  }
+  std::swap(numbers[0], numbers[1000]);
+  return numbers;
+}
+
+TEST(Numbers, StepsComputedInFloatsLeaveNothingOpen) {
+  unsigned seed = 0;
+  for (const float least : {0.f, -1.f, -0.37f, 1234.5f, -1e-5f})
+    for (const float range : {1.f, 1.718f, 3e-4f, 5e4f})
+      for (const unsigned bits : {8u, 11u, 14u, 16u}) {
+        // Steps of some ulps of the numbers are no steps any more.
+        if (std::fabs(least) * 0x1p-18f > range / static_cast<float>(1u << bits)) continue;
+        SCOPED_TRACE(std::to_string(least) + " " + std::to_string(range) + " " +
+                     std::to_string(bits));
+        const NumberedValues coded = round_trip(dequantised(least, range, bits, ++seed));
+        const NumberSystem& s = coded.numbers.systems[0];
+        EXPECT_EQ(s.ulps, 0u) << describe(coded.numbers, 0);
+        EXPECT_LE(coded.numbers.axes[0].top, (1u << bits) - 1);
+        EXPECT_LT(coded.bytes.size(), 40u);  // no strays
+      }
+}
+
+TEST(Numbers, OnlyFloatsHaveStepsOfFloats) {
+  NumberColumn column;
+  column.system.map = NumberMap::affine;
+  column.system.single = true;
+  EXPECT_EQ(fault_of<float>(column), "");
+  EXPECT_NE(fault_of<double>(column), "");
+  EXPECT_NE(fault_of<Whole>(column), "");
 }
 
 /// The numbers of integers 0 .. top in an affine system of a scalar.
