@@ -263,43 +263,47 @@ inline Expected<NumberColumn> read_column(ByteReader& in, Scalar scalar, std::ui
   return column;
 }
 
-/// What stands for all three components of points of an octahedral grid: their map, and bits.
-inline void put_octahedral(Bytes& out, unsigned bits) {
+/// What stands for all three components of points of an octahedral grid: their map, and bits, with
+/// a flag above them for those that are computed in floats.
+inline constexpr std::uint32_t octahedral_single = 32;
+inline void put_octahedral(Bytes& out, const NumberSystem& s) {
   put_u8(out, static_cast<std::uint32_t>(NumberMap::octahedral));
-  put_u8(out, bits);
+  put_u8(out, s.precision | (s.single ? octahedral_single : 0));
 }
 /// Whether that is what follows.
 inline bool is_octahedral(ByteReader in) {
   return in.left() > 0 && in.u8() == static_cast<std::uint32_t>(NumberMap::octahedral);
 }
-/// Reads it: the bits. Errors: truncated, invalid.
-inline Expected<unsigned> read_octahedral(ByteReader& in, Scalar scalar, std::size_t components) {
-  const std::uint64_t at = in.offset();
-  in.u8();
-  const std::uint32_t bits = in.u8();
-  if (!in.ok()) return Failure{in.error()};
-  if (bits < min_direction_bits || bits > max_direction_bits || !is_float(scalar) ||
-      components != 3)
-    return fail(ErrorCode::invalid, Place::byte, at,
-                "directions of " + std::to_string(bits) + " bits, of " +
-                    std::to_string(components) + " " + name(scalar));
-  return bits;
-}
 /// Their systems: one for all components.
-inline std::vector<NumberSystem> octahedral_systems(unsigned bits) {
+inline std::vector<NumberSystem> octahedral_systems(unsigned bits, bool single = false) {
   NumberSystem system;
   system.map = NumberMap::octahedral;
   system.precision = static_cast<std::uint8_t>(bits);
+  system.single = single;
   return {system};
 }
 /// Directions of so many bits.
-inline Numbers octahedral_numbers(Scalar scalar, unsigned bits) {
+inline Numbers octahedral_numbers(Scalar scalar, unsigned bits, bool single = false) {
   Numbers numbers;
   numbers.scalar = scalar;
-  numbers.systems = octahedral_systems(bits);
+  numbers.systems = octahedral_systems(bits, single);
   const Axis axis{OctahedralGrid(bits).top()};
   numbers.axes = {axis, axis};
   return numbers;
+}
+/// Reads what put_octahedral wrote. Errors: truncated, invalid.
+inline Expected<Numbers> read_octahedral(ByteReader& in, Scalar scalar, std::size_t components) {
+  const std::uint64_t at = in.offset();
+  in.u8();
+  const std::uint32_t byte = in.u8(), bits = byte & ~octahedral_single;
+  const bool single = bits != byte;
+  if (!in.ok()) return Failure{in.error()};
+  if (bits < min_direction_bits || bits > max_direction_bits || !is_float(scalar) ||
+      components != 3 || (single && scalar != Scalar::float32))
+    return fail(ErrorCode::invalid, Place::byte, at,
+                "directions of " + std::to_string(bits) + " bits, of " +
+                    std::to_string(components) + " " + name(scalar));
+  return octahedral_numbers(scalar, bits, single);
 }
 
 }  // namespace clers::internal

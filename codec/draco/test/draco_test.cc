@@ -19,12 +19,16 @@ using draco_test::How;
 using draco_test::make_points;
 using draco_test::make_tube;
 
-/// What corners of a triangle have, all values one after the other; the least corner first.
+/// What corners of a triangle have, all values one after the other; the least of the three ways.
 using Triangle = std::vector<std::string>;
 
 Triangle turned(Triangle t) {
-  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  return t;
+  Triangle least = t;
+  for (int i = 0; i < 2; ++i) {
+    std::rotate(t.begin(), t.begin() + 1, t.end());
+    least = std::min(least, t);
+  }
+  return least;
 }
 
 std::vector<Triangle> triangles_of(const Mesh& mesh) {

@@ -65,8 +65,7 @@ def triangles(rows):
     all_of_them = []
     for face in rows["face"]:
         t = [corner(rows, face, k) for k in range(3)]
-        first = t.index(min(t))
-        all_of_them.append(tuple(t[first:] + t[:first]))
+        all_of_them.append(min(tuple(t[first:] + t[:first]) for first in range(3)))
     return sorted(all_of_them)
 
 
