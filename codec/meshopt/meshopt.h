@@ -15,7 +15,8 @@ namespace CLERS_VISIBLE meshopt {
 
 /// The hook for gltf::Decoders: what a bufferView with EXT_meshopt_compression stands for. `count`
 /// elements of `stride` bytes, `mode` and `filter` as the extension has them: "ATTRIBUTES",
-/// "TRIANGLES" or "INDICES"; "NONE", "OCTAHEDRAL", "QUATERNION" or "EXPONENTIAL".
+/// "TRIANGLES" or "INDICES"; "NONE", "OCTAHEDRAL", "QUATERNION" or "EXPONENTIAL". What filters give
+/// may be 1 off what other versions of the library give: they round otherwise.
 ///
 /// Errors: malformed; unsupported, a mode or filter of no such name; out_of_memory. Memory: the
 /// result, which is at most 64 times as large as the bytes.

@@ -213,7 +213,7 @@ TEST(Draco, OtherBytesAreNamed) {
 /// Anything gives an error or a mesh that can be encoded.
 void take_any(const Bytes& bytes) {
   Limits limits;
-  limits.memory = 10'000'000;
+  limits.memory = 1'000'000;
   const auto read = draco::read(bytes, limits);
   if (!read) {
     EXPECT_FALSE(read.error().what.empty());
@@ -228,10 +228,10 @@ TEST(Draco, TruncatedBytesAreErrorsOrMeshes) {
   for (const int method : {0, 1})
     for (const int bits : {0, 10}) {
       const Bytes bytes = encode(*make_tube(5), How{method, 0, bits});
-      for (std::size_t size = 0; size < bytes.size(); ++size)
+      for (std::size_t size = 0; size < bytes.size(); size += 3)
         EXPECT_FALSE(draco::read(std::span(bytes).first(size))) << size;
       const Bytes points = encode(*make_points(40), How{method, 0, 12});
-      for (std::size_t size = 0; size < points.size(); ++size)
+      for (std::size_t size = 0; size < points.size(); size += 3)
         take_any(Bytes(points.begin(), points.begin() + std::ptrdiff_t(size)));
     }
 }
@@ -240,7 +240,7 @@ TEST(Draco, FlippedBytesAreErrorsOrMeshes) {
   for (const int method : {0, 1})
     for (const int speed : {0, 10}) {
       const Bytes bytes = encode(*make_tube(3), How{method, speed, 10});
-      for (std::size_t i = 0; i < bytes.size(); ++i)
+      for (std::size_t i = 0; i < bytes.size(); i += 2)
         for (const unsigned mask : {0x01u, 0x80u}) {
           Bytes flipped = bytes;
           flipped[i] ^= static_cast<std::byte>(mask);
