@@ -17,7 +17,9 @@
 #include "codec/attributes/planes.h"
 #include "codec/attributes/sized_positions.h"
 #include "codec/attributes/weights.h"
+#include "codec/numbers/float_directions.h"
 #include "codec/numbers/number_encoder.h"
+#include "codec/numbers/number_format.h"
 #include "codec/numbers/ranks.h"
 
 namespace clers::internal {
@@ -60,6 +62,8 @@ class AttributeEncoder {
     header_.error = plan.error;
     header_.measure = plan.measure;
     if (plan.integers_of) header_.attribute.scalar = *plan.integers_of;
+    if (plan.systems.empty())
+      if (auto done = float_directions(); !done) return Failure{done.error()};
     NumberedValues numbered =
         plan.systems.empty()
             ? number_values(attribute_.data, attribute_.scalar, attribute_.components, level_)
@@ -141,6 +145,21 @@ class AttributeEncoder {
       take(Coder::named, encode_named_values(lattice, along_, Domain::vertex));
     }
     return Done{};
+  }
+
+  /// Tries values as directions that a decoder of others computed, if all are such.
+  Expected<Done> float_directions() {
+    if (is_position_ || attribute_.components != 3 || attribute_.scalar != Scalar::float32)
+      return Done{};
+    const auto bits = bits_of_float_directions(attribute_.data);
+    if (!bits) return Done{};
+    AttributePlan plan;
+    plan.systems = octahedral_systems(*bits, true);
+    NumberedValues numbered =
+        put_into_systems(attribute_.data, attribute_.scalar, plan.systems, level_);
+    header_.narrow = numbered.numbers.narrow();
+    if (level_ >= 5) normals(plan, numbered);
+    return integers(numbered, numbered.narrow);
   }
 
   /// Tries the coder of normals, with the numbers given, or with those that it predicts best.

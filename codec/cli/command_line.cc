@@ -11,6 +11,7 @@
 
 #include "codec/cli/commands.h"
 #include "codec/cli/files.h"
+#include "codec/cli/foreign.h"
 #include "codec/cli/precision.h"
 #include "codec/cli/printable.h"
 #include "codec/cli/words.h"
@@ -173,15 +174,17 @@ class CommandLine {
   void add_encode() {
     CLI::App& encode =
         add("encode", cli::encode, "Compress mesh files",
-            "Without -o, a.ply becomes a.clers beside it, and standard input goes to standard\n"
-            "output.\n\n"
-            "Examples:\n"
-            "  clers encode bunny.ply\n"
-            "  clers encode -9 a.obj b.off c.stl -o packed/\n"
-            "  clers encode --positions q14 --attribute normal=q10 scan.ply\n"
-            "  clers encode scene.glb -o small.glb     a glTF with an extension\n"
-            "  curl -s https://example.org/m.ply | clers encode --from ply - >m.clers");
-    inputs(encode, "mesh files: ply, obj, off, stl; scenes: glb, gltf");
+            missing_decoders() +
+                "Without -o, a.ply becomes a.clers beside it, and standard input goes to standard\n"
+                "output.\n\n"
+                "Examples:\n"
+                "  clers encode bunny.ply\n"
+                "  clers encode -9 a.obj b.off c.stl -o packed/\n"
+                "  clers encode --positions q14 --attribute normal=q10 scan.ply\n"
+                "  clers encode scene.glb -o small.glb     a glTF with an extension\n"
+                "  clers encode old.drc -o new.clers\n"
+                "  curl -s https://example.org/m.ply | clers encode --from ply - >m.clers");
+    inputs(encode, "mesh files: ply, obj, off, stl, drc; scenes: glb, gltf");
     output(
         encode,
         "the .clers file, or a .glb or .gltf with .clers files in it; or a directory for several");
@@ -317,7 +320,7 @@ class CommandLine {
                           "  clers check bunny.ply\n"
                           "  clers check scans/*.ply\n"
                           "  clers check --json bunny.ply | jq .genus");
-    inputs(check, "mesh files: ply, obj, off, stl; scenes: glb, gltf");
+    inputs(check, "mesh files: ply, obj, off, stl, drc; scenes: glb, gltf");
     from(check);
     json(check);
     quiet(check);
@@ -333,7 +336,7 @@ class CommandLine {
             "  clers subdivide bunny.ply -o smooth.ply --scheme loop\n"
             "  clers subdivide bunny.ply -o finer.obj --scheme sqrt3 --times 2\n"
             "  clers subdivide a.obj b.off --scheme 4-8 --times 4 --to ply -o finer/");
-    inputs(subdivide, "mesh files: ply, obj, off, stl");
+    inputs(subdivide, "mesh files: ply, obj, off, stl, drc");
     output(subdivide, "the mesh file, or a directory for several");
     choice(subdivide, "--scheme", options_.subdivision.scheme,
            {{"sqrt3", Scheme::sqrt3}, {"loop", Scheme::loop}, {"4-8", Scheme::four_eight}},
@@ -349,7 +352,7 @@ class CommandLine {
     quiet(subdivide);
   }
 
-  CLI::App& add(const char* name, Command command, const char* what, const char* footer) {
+  CLI::App& add(const char* name, Command command, const char* what, const std::string& footer) {
     CLI::App* sub = app_.add_subcommand(name, what)->group("Commands");
     sub->footer(footer);
     sub->callback([this, command] { command_ = command; });
@@ -371,19 +374,24 @@ class CommandLine {
         ->excludes(to);
   }
   void from(CLI::App& sub) {
-    format(sub, "--from", options_.from, "format of the input; default: by its name");
+    format(sub, "--from", options_.from, "format of the input; default: by its name")
+        .option_text("ply|obj|off|stl|glb|gltf|drc");
   }
-  void to(CLI::App& sub, const char* what) { format(sub, "--to", options_.to, what); }
-  void format(CLI::App& sub, const char* name, std::optional<Format>& target, const char* what) {
-    sub.add_option(
-           name,
-           [&target, name](const CLI::results_t& values) {
-             target = format_of(values.back());
-             if (!target) refuse(name, format_names, values.back());
-             return true;
-           },
-           what)
-        ->option_text("ply|obj|off|stl|glb|gltf");
+  void to(CLI::App& sub, const char* what) {
+    format(sub, "--to", options_.to, what).option_text("ply|obj|off|stl|glb|gltf");
+  }
+  CLI::Option& format(CLI::App& sub, const char* name, std::optional<Format>& target,
+                      const char* what) {
+    const bool written = &target == &options_.to;
+    return *sub.add_option(
+        name,
+        [&target, name, written](const CLI::results_t& values) {
+          target = format_of(values.back());
+          if (!target || (written && is_read_only(*target)))
+            refuse(name, written ? written_names : read_names, values.back());
+          return true;
+        },
+        what);
   }
   void text(CLI::App& sub) {
     sub.add_flag("--text", options_.text, "text instead of binary, for ply and stl");

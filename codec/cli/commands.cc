@@ -58,6 +58,9 @@ Outcome<std::optional<Format>> format_of_output(const Options& options,
   if (options.to || !given || *given == "-") return options.to;
   const Outcome<Format> named = format_for(*given, {}, "--to");
   if (!named) return Failure{named.error()};
+  if (is_read_only(*named))
+    return stop(Exit::usage, fmt::format("{}: Draco's files are read, not written; expected {}",
+                                         *given, written_names));
   return std::optional(*named);
 }
 
@@ -185,7 +188,7 @@ Outcome<Done> subdivide_one(const Options& options, Job& job, const Destination&
   if (!from) return Failure{from.error()};
   const auto named = format_of_output(options, to.given(job.input()));
   if (!named) return Failure{named.error()};
-  const Format any = named->value_or(*from);
+  const Format any = named->value_or(is_read_only(*from) ? io::Format::ply : *from);
   if (is_scene(*from) || is_scene(any))
     return stop(Exit::usage, job.name() + ": a scene cannot be subdivided, only mesh files can");
   const auto format = std::get<io::Format>(any);

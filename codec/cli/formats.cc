@@ -14,6 +14,7 @@ std::optional<Format> format_of(std::string_view name) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (lower == "glb") return gltf::Form::glb;
   if (lower == "gltf") return gltf::Form::gltf;
+  if (lower == "drc") return Drc();
   return std::nullopt;
 }
 
@@ -23,6 +24,7 @@ std::optional<Format> format_of_path(std::string_view path) {
 }
 
 const char* extension(Format format) {
+  if (is_read_only(format)) return ".drc";
   if (const auto* form = std::get_if<gltf::Form>(&format))
     return *form == gltf::Form::glb ? ".glb" : ".gltf";
   switch (std::get<io::Format>(format)) {

@@ -29,12 +29,12 @@ Outcome<Format> format_for(const std::string& path, std::optional<Format> given,
                            const char* option) {
   if (given) return *given;
   if (const auto format = format_of_path(path)) return *format;
+  const char* names = std::string_view(option) == "--to" ? written_names : read_names;
   return stop(
       Exit::usage,
       path == "-"
-          ? fmt::format("standard input: has no name to tell its format; {} {} does", option,
-                        format_names)
-          : fmt::format("{}: its name tells no format; {} {} does", path, option, format_names));
+          ? fmt::format("standard input: has no name to tell its format; {} {} does", option, names)
+          : fmt::format("{}: its name tells no format; {} {} does", path, option, names));
 }
 
 Losses losses(const io::Notes& notes) {

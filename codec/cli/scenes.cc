@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "codec/cli/foreign.h"
 #include "codec/cli/words.h"
 
 namespace clers::cli {
@@ -18,6 +19,7 @@ std::string beside(const std::string& path, const std::string& name) {
 Outcome<SceneFile> parse_scene(const std::string& path, std::span<const std::byte> bytes,
                                Format format) {
   SceneFile file;
+  if (is_read_only(format)) return parse_drc(path, bytes);
   if (const auto* of_meshes = std::get_if<io::Format>(&format)) {
     Expected<io::ReadResult> read = io::read(bytes, *of_meshes);
     if (!read) return stop(input_name(path), read.error());
@@ -30,7 +32,7 @@ Outcome<SceneFile> parse_scene(const std::string& path, std::span<const std::byt
     if (!read) return fail(ErrorCode::io_failed, read.error().line);
     return std::move(*read);
   };
-  auto read = gltf::read(bytes, fetch);
+  auto read = gltf::read(bytes, fetch, foreign_decoders());
   if (!read && read.error().code == ErrorCode::io_failed)
     return stop(Exit::input, fmt::format("{}: {}", input_name(path), read.error().what));
   if (!read) return stop(input_name(path), read.error());
@@ -38,6 +40,8 @@ Outcome<SceneFile> parse_scene(const std::string& path, std::span<const std::byt
   file.orders = std::move(read->orders);
   for (const std::string& note : read->notes)
     file.notes.push_back({io::Note::Kind::loss, 1, "a picture", note});
+  for (const std::string& remark : read->remarks)
+    file.notes.push_back({io::Note::Kind::remark, 1, "an extension", remark});
   return file;
 }
 

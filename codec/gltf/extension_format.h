@@ -1,4 +1,4 @@
-// What compress() and expand() share: the words of the extension.
+// The words of the extension, and how extensions come and go.
 #ifndef CLERS_CODEC_GLTF_EXTENSION_FORMAT_H
 #define CLERS_CODEC_GLTF_EXTENSION_FORMAT_H
 
@@ -32,10 +32,10 @@ inline Json& extensions_of(Json& object) {
   if (object.find("extensions") == nullptr) object.add("extensions", Json{Json::Kind::object});
   return *object.find("extensions");
 }
-inline void remove_extension(Json& object) {
+inline void remove_extension(Json& object, const char* name = extension_name) {
   Json* extensions = object.find("extensions");
   if (extensions == nullptr) return;
-  extensions->remove(extension_name);
+  extensions->remove(name);
   if (extensions->items.empty()) object.remove("extensions");
 }
 

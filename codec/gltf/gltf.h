@@ -33,6 +33,20 @@ struct File {
 /// Reads such a file.
 using Fetch = std::function<Expected<std::vector<std::byte>>(const std::string& path)>;
 
+/// What others compressed is decoded by whoever can: <clers/draco.h>, <clers/meshopt.h>. Without
+/// that it stays as it is, bytes that are carried along.
+struct Decoders {
+  /// Of KHR_draco_mesh_compression, given the bytes of its bufferView: a mesh of triangles with a
+  /// value for each vertex, attributes that have Draco's unique ids, in decimal, for names, and
+  /// metadata of the same keys that say how these were quantised ("14 bits").
+  std::function<Expected<Mesh>(std::span<const std::byte> bytes)> draco;
+  /// Of EXT_meshopt_compression: the bytes that a bufferView stands for, count * stride.
+  std::function<Expected<std::vector<std::byte>>(std::span<const std::byte> bytes,
+                                                 std::size_t count, std::size_t stride,
+                                                 std::string_view mode, std::string_view filter)>
+      meshopt;
+};
+
 /// What a glTF becomes. Nothing of it is lost but the white space between the tokens of its JSON:
 ///
 ///   meshes    Primitives that share accessors are one mesh: their vertices, and all their
@@ -48,17 +62,20 @@ struct ReadResult {
   Scene scene;
   /// One a mesh, for encode(): an order is kept where vertices may be named by what is not known.
   std::vector<Order> orders;
-  std::vector<std::string> notes;  ///< for people: files that are named and not there
+  std::vector<std::string> notes;    ///< for people: files that are named and not there
+  std::vector<std::string> remarks;  ///< likewise: what others compressed, and is not any more
 };
 
 /// Reads a .glb or a .gltf, by its first bytes; `fetch` reads what it names. What vertices and
 /// triangles it has may be in any order afterwards: encode() may renumber them, and all that names
-/// vertices follows.
+/// vertices follows. What `decoders` decode becomes plain accessors, and their extensions go; where
+/// the document has plain values beside what Draco compressed, these are taken.
 ///
 /// Errors: malformed, with the place in the JSON, or the byte; unsupported, of another version;
-/// what `fetch` returns for a buffer; out_of_memory. Memory: some 100 bytes a token of JSON, and a
+/// what `fetch` and `decoders` return; out_of_memory. Memory: some 100 bytes a token of JSON, and a
 /// small multiple of the rest. Cost: linear, n log n in the accessors.
-Expected<ReadResult> read(std::span<const std::byte> bytes, const Fetch& fetch);
+Expected<ReadResult> read(std::span<const std::byte> bytes, const Fetch& fetch,
+                          const Decoders& decoders = {});
 
 /// The form that a scene was read from; none if it was not read from a glTF.
 std::optional<Form> form_of(const Scene& scene);

@@ -7,6 +7,7 @@
 #include "codec/base/guarded.h"
 #include "codec/gltf/bounds.h"
 #include "codec/gltf/extension.h"
+#include "codec/gltf/foreign.h"
 #include "codec/gltf/glb.h"
 #include "codec/gltf/gltf.h"
 #include "codec/gltf/json.h"
@@ -24,12 +25,13 @@ using Bytes = std::vector<std::byte>;
 
 class Reader {
  public:
-  explicit Reader(const Fetch& fetch) : fetch_(fetch) {}
+  Reader(const Fetch& fetch, const Decoders& decoders) : fetch_(fetch), decoders_(decoders) {}
 
   Expected<ReadResult> run(std::span<const std::byte> bytes) {
     if (auto ok = open(bytes); !ok) return Failure{ok.error()};
     if (auto ok = check_version(); !ok) return Failure{ok.error()};
     if (auto ok = read_buffers(); !ok) return Failure{ok.error()};
+    if (auto ok = decode_foreign(); !ok) return Failure{ok.error()};
     std::vector<bool> empty = as_set(marks_.empty, buffers_.size());
     if (auto ok = expand(document_, buffers_, empty); !ok) return Failure{ok.error()};
     empty.resize(buffers_.size());
@@ -146,6 +148,16 @@ class Reader {
     if (!filling) add_blob(blob_name("behind buffer", index), Bytes(more.begin(), more.end()));
     bytes.resize(static_cast<std::size_t>(size));
     return bytes;
+  }
+
+  /// What others compressed. Buffers without bytes may go with it.
+  Expected<Done> decode_foreign() {
+    if (auto ok =
+            decode_meshopt(document_, buffers_, marks_.empty, decoders_.meshopt, result_.remarks);
+        !ok)
+      return ok;
+    return decode_draco(document_, buffers_, as_set(marks_.empty, buffers_.size()), decoders_.draco,
+                        result_.remarks);
   }
 
   /// Indices that lead beyond the vertices, and those of sparse values that do not ascend.
@@ -276,6 +288,7 @@ class Reader {
   }
 
   const Fetch& fetch_;
+  const Decoders& decoders_;
   Marks marks_;
   Json document_;
   std::span<const std::byte> binary_;
@@ -288,8 +301,9 @@ class Reader {
 
 }  // namespace
 
-Expected<ReadResult> read(std::span<const std::byte> bytes, const Fetch& fetch) {
-  return internal::guarded("read a glTF", [&] { return Reader(fetch).run(bytes); });
+Expected<ReadResult> read(std::span<const std::byte> bytes, const Fetch& fetch,
+                          const Decoders& decoders) {
+  return internal::guarded("read a glTF", [&] { return Reader(fetch, decoders).run(bytes); });
 }
 
 }  // namespace clers::gltf

@@ -23,7 +23,7 @@ constexpr Kind kinds[] = {
      ": it is encoded already; decode, info and verify read it"},
     {"glTF"sv, " glb ", "a glTF binary", ": call it .glb, or say --from glb"},
     {{}, " gltf ", "a glTF scene", ": call it .gltf, or say --from gltf"},
-    {"DRACO"sv, " drc ", "a Draco file", ": decode it first, with draco_decoder"},
+    {"DRACO"sv, " drc ", "a Draco file", ": call it .drc, or say --from drc"},
     {"\x1f\x8b"sv, " gz tgz ", "a gzip file", ": unpack it first, with gunzip"},
     {"\x28\xb5\x2f\xfd"sv, " zst ", "a zstd file", ": unpack it first, with zstd -d"},
     {"\xfd\x37\x7a\x58\x5a"sv, " xz ", "an xz file", ": unpack it first, with unxz"},

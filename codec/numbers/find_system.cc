@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <vector>
 
 #include "codec/numbers/approximate_steps.h"
+#include "codec/numbers/float_steps.h"
 #include "codec/numbers/number_sample.h"
 #include "codec/numbers/system_cost.h"
 
@@ -43,8 +45,11 @@ class Finder {
                                      : sample_of(std::span<const U>(sample_.words), 16, 32)),
         looks_(sample_.words) {
     U greatest = 0;
-    for (const U word : words)
-      if (magnitude(word) < Looks::infinity) greatest = std::max(greatest, magnitude(word));
+    for (const U word : words) {
+      if (magnitude(word) >= Looks::infinity) continue;
+      greatest = std::max(greatest, magnitude(word));
+      least_ = std::min(least_, std::bit_cast<T>(word));
+    }
     tops_ = {greatest, looks_.top};
   }
 
@@ -259,6 +264,12 @@ class Finder {
     s.origin = steps.origin;
     s.length = steps.length;
     if (fault_of_map<T>(s).empty()) propose_with_ulps(s);
+    if constexpr (std::is_same_v<T, float>) {
+      std::vector<float> numbers;
+      for (const double v : looks_.sorted) numbers.push_back(static_cast<float>(v));
+      const auto in_floats = float_steps(std::move(numbers), least_, steps.length);
+      if (in_floats && fault_of_map<T>(*in_floats).empty()) propose(*in_floats);
+    }
   }
 
   void propose_printed(double unit, std::size_t precision, bool decimals) {
@@ -313,7 +324,8 @@ class Finder {
 
   NumberSample<U> sample_, few_;
   Looks looks_;
-  std::array<U, 2> tops_;  ///< the greatest magnitude of all, and but for a few
+  T least_ = std::numeric_limits<T>::max();  ///< of all
+  std::array<U, 2> tops_;                    ///< the greatest magnitude of all, and but for a few
   std::vector<Proposal> proposed_;
   std::vector<Cost> costs_;
   std::vector<std::uint64_t> divisors_;  ///< for which quotients were proposed

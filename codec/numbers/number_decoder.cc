@@ -7,6 +7,7 @@
 
 #include "codec/base/portable.h"
 #include "codec/numbers/component_words.h"
+#include "codec/numbers/float_directions.h"
 #include "codec/numbers/refinements.h"
 
 namespace clers::internal {
@@ -102,14 +103,16 @@ Expected<Done> make_refined(const Integers& integers, const Component& of,
 
 /// Makes the directions of points of an octahedral grid.
 template <class Int>
-void make_directions(std::span<const Int> rows, unsigned bits, Scalar scalar,
+void make_directions(std::span<const Int> rows, const NumberSystem& system, Scalar scalar,
                      std::span<std::byte> values) {
-  const OctahedralGrid grid(bits);
-  for (std::size_t i = 0; i < rows.size() / 2; ++i)
-    put_vector(scalar,
-               OctahedralGrid::direction(grid.point(static_cast<std::int64_t>(rows[2 * i]),
-                                                    static_cast<std::int64_t>(rows[2 * i + 1]))),
+  const OctahedralGrid grid(system.precision);
+  const FloatDirections floats(system.precision);
+  for (std::size_t i = 0; i < rows.size() / 2; ++i) {
+    const OctahedralPoint point = grid.point(static_cast<std::int64_t>(rows[2 * i]),
+                                             static_cast<std::int64_t>(rows[2 * i + 1]));
+    put_vector(scalar, system.single ? floats.direction(point) : OctahedralGrid::direction(point),
                values.data() + i * 3 * size_of(scalar));
+  }
 }
 
 /// Stores strays where they belong.
@@ -135,9 +138,9 @@ Expected<NumberReader> NumberReader::read(ByteReader& in, Scalar scalar, std::si
                                           std::uint64_t count) {
   NumberReader reader;
   if (is_octahedral(in)) {
-    const auto bits = read_octahedral(in, scalar, components);
-    if (!bits) return Failure{bits.error()};
-    reader.numbers_ = octahedral_numbers(scalar, *bits);
+    auto numbers = read_octahedral(in, scalar, components);
+    if (!numbers) return Failure{numbers.error()};
+    reader.numbers_ = std::move(*numbers);
     return reader;
   }
   reader.numbers_.scalar = scalar;
@@ -203,8 +206,8 @@ template <class Int>
 Expected<Done> NumberReader::make_values(std::span<const Int> rows,
                                          std::span<std::byte> values) const {
   const DoublePrecision doubles;
-  if (const unsigned bits = numbers_.octahedral_bits()) {
-    make_directions(rows, bits, numbers_.scalar, values);
+  if (numbers_.octahedral_bits() > 0) {
+    make_directions(rows, numbers_.systems[0], numbers_.scalar, values);
     return Done{};
   }
   for (std::size_t c = 0; c < parts_.size(); ++c) {

@@ -180,11 +180,11 @@ std::optional<NumberSystem> in_decimals(const std::vector<WordOf<T>>& numbers) {
 
 /// Directions as points of a grid that they are on.
 NumberedValues put_into_octahedral(std::span<const std::byte> values, Scalar scalar,
-                                   unsigned bits) {
+                                   const NumberSystem& system) {
   NumberedValues out;
-  out.numbers = octahedral_numbers(scalar, bits);
-  put_octahedral(out.bytes, bits);
-  const OctahedralGrid grid(bits);
+  out.numbers = octahedral_numbers(scalar, system.precision, system.single);
+  put_octahedral(out.bytes, system);
+  const OctahedralGrid grid(system.precision);
   for (std::size_t at = 0; at < values.size(); at += 3 * size_of(scalar)) {
     const Vector3 direction = vector_at(scalar, values.data() + at);
     for (const std::int32_t k : grid.integers(grid.nearest(grid.project(direction))))
@@ -252,7 +252,7 @@ NumberedValues put_into_systems(std::span<const std::byte> values, Scalar scalar
                                 std::vector<NumberSystem> systems, int level, Integers integers) {
   const DoublePrecision doubles;
   if (!systems.empty() && systems[0].map == NumberMap::octahedral)
-    return put_into_octahedral(values, scalar, systems[0].precision);
+    return put_into_octahedral(values, scalar, systems[0]);
   std::vector<EncodedColumn> columns;
   for (std::size_t c = 0; c < systems.size(); ++c)
     with_number_type(scalar, [&](auto type) {

@@ -83,6 +83,7 @@ std::string fault_of_map(const NumberSystem& s) {
     case NumberMap::octahedral: break;
     case NumberMap::affine:
       if (std::string fault = fault_of_affine(s); !fault.empty()) return fault;
+      if (s.single && !std::is_same_v<T, float>) return "steps of floats";
       break;
     case NumberMap::printed:
       if (s.precision > (s.decimals ? PrintedMap<T>::most_decimals : PrintedMap<T>::most_digits) ||
@@ -127,7 +128,7 @@ std::string fault_of(const NumberColumn& column) {
     return std::to_string(s.low_bits) + " low bits";
   if constexpr (std::is_floating_point_v<T>) {
     if (std::string fault = fault_of_map<T>(s); !fault.empty()) return fault;
-  } else if (s.signed_zero || s.ulps > 0 ||
+  } else if (s.signed_zero || s.ulps > 0 || s.single ||
              (s.map != NumberMap::word && s.map != NumberMap::affine)) {
     return "a number system that is not for integers";
   } else if (s.map == NumberMap::affine) {
@@ -166,9 +167,10 @@ inline constexpr std::uint32_t map = 7, like_before = 8, coding = 48, scaled = 6
 }
 /// In the second byte.
 namespace column_flags {
-inline constexpr std::uint32_t signed_zero = 1, decimals = 2, low_bits = 4, ulps = 8, strays = 16,
+/// `variant`: decimals of printed numbers, single of affine ones.
+inline constexpr std::uint32_t signed_zero = 1, variant = 2, low_bits = 4, ulps = 8, strays = 16,
                                palette = 32, refined_palette = 64, all = 127;
-}
+}  // namespace column_flags
 
 /// Appends all of a column but the entries of the palette, how many they are included. `before` is
 /// the system of the component before it, if there is one.
@@ -179,7 +181,7 @@ inline void put_column(Bytes& out, const NumberColumn& column, const NumberSyste
                   static_cast<std::uint32_t>(column.coding) << 4 |
                   (column.axis.scale != 1 ? column_kind::scaled : 0));
   using namespace column_flags;
-  put_u8(out, (s.signed_zero ? signed_zero : 0) | (s.decimals ? decimals : 0) |
+  put_u8(out, (s.signed_zero ? signed_zero : 0) | (s.decimals || s.single ? variant : 0) |
                   (s.low_bits > 0 ? low_bits : 0) | (s.ulps > 0 ? ulps : 0) |
                   (column.has_strays ? strays : 0) | (column.axis.palette.empty() ? 0 : palette) |
                   (column.refined_palette ? refined_palette : 0));
@@ -222,7 +224,8 @@ inline Expected<NumberColumn> read_column(ByteReader& in, Scalar scalar, std::ui
   if (known && before != nullptr) s = *before;
   s.map = static_cast<NumberMap>(kind & column_kind::map);
   s.signed_zero = (flags & signed_zero) != 0;
-  s.decimals = (flags & decimals) != 0;
+  s.decimals = (flags & variant) != 0 && s.map == NumberMap::printed;
+  s.single = (flags & variant) != 0 && s.map == NumberMap::affine;
   s.first = in.signed_varint();
   std::int64_t exponent = s.exponent;
   if (!known) {
@@ -245,7 +248,7 @@ inline Expected<NumberColumn> read_column(ByteReader& in, Scalar scalar, std::ui
   if (exponent < -2000 || exponent > 2000) return invalid("an exponent out of range");
   s.exponent = static_cast<std::int16_t>(exponent);
   if (known != like(s, before)) return invalid("a system that is not the one before it");
-  if (flags > all || (s.decimals && s.map != NumberMap::printed) ||
+  if (flags > all || ((flags & variant) != 0) != (s.decimals || s.single) ||
       ((flags & low_bits) != 0) != (s.low_bits > 0) || ((flags & ulps) != 0) != (s.ulps > 0) ||
       (column.refined_palette && entries == 0) ||
       (!has_refinements(s) && (column.refined_palette || column.coding != RefinementCoding::bits)))
@@ -260,43 +263,47 @@ inline Expected<NumberColumn> read_column(ByteReader& in, Scalar scalar, std::ui
   return column;
 }
 
-/// What stands for all three components of points of an octahedral grid: their map, and bits.
-inline void put_octahedral(Bytes& out, unsigned bits) {
+/// What stands for all three components of points of an octahedral grid: their map, and bits, with
+/// a flag above them for those that are computed in floats.
+inline constexpr std::uint32_t octahedral_single = 32;
+inline void put_octahedral(Bytes& out, const NumberSystem& s) {
   put_u8(out, static_cast<std::uint32_t>(NumberMap::octahedral));
-  put_u8(out, bits);
+  put_u8(out, s.precision | (s.single ? octahedral_single : 0));
 }
 /// Whether that is what follows.
 inline bool is_octahedral(ByteReader in) {
   return in.left() > 0 && in.u8() == static_cast<std::uint32_t>(NumberMap::octahedral);
 }
-/// Reads it: the bits. Errors: truncated, invalid.
-inline Expected<unsigned> read_octahedral(ByteReader& in, Scalar scalar, std::size_t components) {
-  const std::uint64_t at = in.offset();
-  in.u8();
-  const std::uint32_t bits = in.u8();
-  if (!in.ok()) return Failure{in.error()};
-  if (bits < min_direction_bits || bits > max_direction_bits || !is_float(scalar) ||
-      components != 3)
-    return fail(ErrorCode::invalid, Place::byte, at,
-                "directions of " + std::to_string(bits) + " bits, of " +
-                    std::to_string(components) + " " + name(scalar));
-  return bits;
-}
 /// Their systems: one for all components.
-inline std::vector<NumberSystem> octahedral_systems(unsigned bits) {
+inline std::vector<NumberSystem> octahedral_systems(unsigned bits, bool single = false) {
   NumberSystem system;
   system.map = NumberMap::octahedral;
   system.precision = static_cast<std::uint8_t>(bits);
+  system.single = single;
   return {system};
 }
 /// Directions of so many bits.
-inline Numbers octahedral_numbers(Scalar scalar, unsigned bits) {
+inline Numbers octahedral_numbers(Scalar scalar, unsigned bits, bool single = false) {
   Numbers numbers;
   numbers.scalar = scalar;
-  numbers.systems = octahedral_systems(bits);
+  numbers.systems = octahedral_systems(bits, single);
   const Axis axis{OctahedralGrid(bits).top()};
   numbers.axes = {axis, axis};
   return numbers;
+}
+/// Reads what put_octahedral wrote. Errors: truncated, invalid.
+inline Expected<Numbers> read_octahedral(ByteReader& in, Scalar scalar, std::size_t components) {
+  const std::uint64_t at = in.offset();
+  in.u8();
+  const std::uint32_t byte = in.u8(), bits = byte & ~octahedral_single;
+  const bool single = bits != byte;
+  if (!in.ok()) return Failure{in.error()};
+  if (bits < min_direction_bits || bits > max_direction_bits || !is_float(scalar) ||
+      components != 3 || (single && scalar != Scalar::float32))
+    return fail(ErrorCode::invalid, Place::byte, at,
+                "directions of " + std::to_string(bits) + " bits, of " +
+                    std::to_string(components) + " " + name(scalar));
+  return octahedral_numbers(scalar, bits, single);
 }
 
 }  // namespace clers::internal

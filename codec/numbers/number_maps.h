@@ -138,13 +138,18 @@ struct QuotientMap : PlainMap {
 template <class T>
 struct AffineMap : PlainMap {
   using U = WordOf<T>;
-  AffineMap(const NumberSystem& s, Scalar) : origin(s.origin), length(s.length) {}
-  U at(double n) const { return std::bit_cast<U>(static_cast<T>(origin + n * length)); }
+  AffineMap(const NumberSystem& s, Scalar) : origin(s.origin), length(s.length), single(s.single) {}
+  U at(double n) const {
+    const double product = n * length;
+    return std::bit_cast<U>(
+        static_cast<T>(origin + (single ? double(static_cast<float>(product)) : product)));
+  }
   U word(std::int64_t n, std::uint64_t) const { return at(double(n)); }
   NumberPlace locate(U bits) const {
     return {nearest_integer((double(std::bit_cast<T>(bits)) - origin) / length), 0};
   }
   double origin, length;
+  bool single;
 };
 
 /// To integers: halves up, and none beyond the first or last of the type.

@@ -87,8 +87,11 @@ std::string describe(const Numbers& numbers, std::size_t component) {
       else
         text = "steps of " + short_number(spacing(s));
       break;
-    case NumberMap::affine: text = "steps of " + short_number(spacing(s)); break;
-    case NumberMap::octahedral: return "directions of " + counted(s.precision, "bit");
+    case NumberMap::affine:
+      text = "steps of " + short_number(spacing(s)) + (s.single ? " in floats" : "");
+      break;
+    case NumberMap::octahedral:
+      return "directions of " + counted(s.precision, "bit") + (s.single ? " in floats" : "");
     case NumberMap::digits: text = counted(s.precision, "digit"); break;
     case NumberMap::binary: text = "float, " + counted(s.precision, "bit"); break;
     case NumberMap::printed:

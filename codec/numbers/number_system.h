@@ -48,6 +48,7 @@ struct NumberSystem {
   std::uint64_t divisor = 1;   ///< quotient, printed
   double origin = 0;           ///< affine
   double length = 1;           ///< affine, more than 0
+  bool single = false;         ///< affine, octahedral, of float32: all results are rounded to one
   std::uint8_t precision = 0;  ///< digits, binary, printed: how many significant digits or bits;
                                ///< octahedral: bits of an integer
   bool decimals = false;       ///< printed: precision counts digits behind the point instead

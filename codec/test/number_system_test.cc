@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdio>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "codec/base/portable.h"
+#include "codec/numbers/float_directions.h"
 #include "codec/numbers/number_decoder.h"
 #include "codec/numbers/number_encoder.h"
 #include "corpus/random.h"
@@ -60,12 +62,14 @@ void expect_back(const NumberedValues& coded, const Bytes& values, Scalar scalar
   ASSERT_TRUE(reader.ok()) << describe(reader.error());
   EXPECT_EQ(in.left(), 0u);
   EXPECT_EQ(reader->numbers().systems, coded.numbers.systems);
-  for (std::size_t c = 0; c < components; ++c) {
+  const std::size_t axes = coded.numbers.axes.size();  // two of directions
+  ASSERT_EQ(reader->numbers().axes.size(), axes);
+  for (std::size_t c = 0; c < axes; ++c) {
     EXPECT_EQ(reader->numbers().axes[c].top, coded.numbers.axes[c].top);
     EXPECT_EQ(reader->numbers().axes[c].scale, coded.numbers.axes[c].scale);
     EXPECT_EQ(reader->numbers().axes[c].palette, coded.numbers.axes[c].palette);
   }
-  EXPECT_EQ((coded.numbers.narrow() ? coded.narrow.size() : coded.wide.size()), components * count);
+  EXPECT_EQ((coded.numbers.narrow() ? coded.narrow.size() : coded.wide.size()), axes * count);
   expect_in_range(coded.numbers, coded.narrow);
   expect_in_range(coded.numbers, coded.wide);
   Bytes back(values.size());
@@ -167,6 +171,7 @@ std::vector<NumberSystem> some_systems() {
     });
   add(NumberMap::affine, [](NumberSystem& s) { s.origin = 5e5, s.length = .1; });
   add(NumberMap::affine, [](NumberSystem& s) { s.length = 0x1p-140, s.ulps = 2; });
+  add(NumberMap::affine, [](NumberSystem& s) { s.origin = 3, s.length = .1, s.single = true; });
   for (const int exponent : {-22, -6, 0, 3})
     add(NumberMap::digits, [&](NumberSystem& s) {
       s.precision = static_cast<std::uint8_t>(exponent == 0 ? 15 : 6);
@@ -305,6 +310,91 @@ TEST(Numbers, StepsWithNoiseAreFound) {
   const NumberedValues coded = round_trip(numbers);
   EXPECT_EQ(coded.numbers.axes[0].top / 10000, 1u);
   EXPECT_LT(coded.bytes.size(), 3000u * 3 / 8);
+}
+
+/// As Draco makes floats of integers of 0 .. 2^bits - 1.
+std::vector<float> dequantised(float least, float range, unsigned bits, unsigned seed) {
+  Random random(seed);
+  const std::uint32_t top = (1u << bits) - 1;
+  const float length = range / static_cast<float>(top);
+  std::vector<float> numbers = {least};
+  for (int i = 0; i < 3000; ++i) {
+    volatile float product = static_cast<float>(random.below(top + 1)) * length;
+    numbers.push_back(product + least);
+  }
+  std::swap(numbers[0], numbers[1000]);
+  return numbers;
+}
+
+TEST(Numbers, StepsComputedInFloatsLeaveNothingOpen) {
+  unsigned seed = 0;
+  for (const float least : {0.f, -1.f, -0.37f, 1234.5f, -1e-5f})
+    for (const float range : {1.f, 1.718f, 3e-4f, 5e4f})
+      for (const unsigned bits : {8u, 11u, 14u, 16u}) {
+        // Steps of some ulps of the numbers are no steps any more.
+        if (std::fabs(least) * 0x1p-18f > range / static_cast<float>(1u << bits)) continue;
+        SCOPED_TRACE(std::to_string(least) + " " + std::to_string(range) + " " +
+                     std::to_string(bits));
+        const NumberedValues coded = round_trip(dequantised(least, range, bits, ++seed));
+        const NumberSystem& s = coded.numbers.systems[0];
+        EXPECT_EQ(s.ulps, 0u) << describe(coded.numbers, 0);
+        EXPECT_LE(coded.numbers.axes[0].top, (1u << bits) - 1);
+        EXPECT_LT(coded.bytes.size(), 40u);  // no strays
+      }
+}
+
+/// What Draco's OctahedronToolBox makes of the integers of a direction, by floats.
+std::array<float, 3> by_draco(std::int32_t s, std::int32_t t, unsigned bits) {
+  const std::int32_t top = (1 << bits) - 2;
+  const float scale = 2.f / static_cast<float>(top);
+  float y = static_cast<float>(s) * scale - 1.f, z = static_cast<float>(t) * scale - 1.f;
+  const float x = 1.f - std::fabs(y) - std::fabs(z);
+  const float beyond = x < 0 ? -x : 0;
+  y += y < 0 ? beyond : -beyond;
+  z += z < 0 ? beyond : -beyond;
+  const float d = 1.f / std::sqrt(x * x + y * y + z * z);
+  return {x * d, y * d, z * d};
+}
+
+TEST(Numbers, DirectionsOfDracoAreFoundAndComeBack) {
+  for (const unsigned bits : {5u, 8u, 10u, 14u}) {
+    const std::int32_t top = (1 << bits) - 2;
+    Random random(bits);
+    std::vector<float> numbers;
+    const auto add = [&](std::int32_t s, std::int32_t t) {
+      for (const float x : by_draco(s, t, bits)) numbers.push_back(x);
+    };
+    const auto any = [&] { return static_cast<std::int32_t>(random.below(unsigned(top) + 1)); };
+    const auto inside = [&] { return 1 + any() % (top - 1); };
+    for (int i = 0; i < 2000; ++i) add(inside(), inside());
+    // Of places that are one on the border, those that its encoder takes; and corners of the
+    // diamond.
+    const std::int32_t half = top / 2;
+    for (int i = 0; i < 50; ++i) {
+      const std::int32_t k = any();
+      add(half, k), add(k, half), add(top, std::max(k, half)), add(std::max(k, half), top);
+      add(0, std::clamp(k, 1, half)), add(std::clamp(k, 1, half), 0);
+    }
+    add(top, top), add(half, half);
+    const Bytes values = bytes_of(numbers);
+    EXPECT_EQ(bits_of_float_directions(values), bits);
+    const NumberedValues coded =
+        put_into_systems(values, Scalar::float32, octahedral_systems(bits, true), 5);
+    EXPECT_EQ(describe(coded.numbers, 0),
+              "directions of " + std::to_string(bits) + " bits in floats");
+    expect_back(coded, values, Scalar::float32, 3);
+    numbers[4] = std::nextafter(numbers[4], 2.f);
+    EXPECT_FALSE(bits_of_float_directions(bytes_of(numbers)));
+  }
+}
+
+TEST(Numbers, OnlyFloatsHaveStepsOfFloats) {
+  NumberColumn column;
+  column.system.map = NumberMap::affine;
+  column.system.single = true;
+  EXPECT_EQ(fault_of<float>(column), "");
+  EXPECT_NE(fault_of<double>(column), "");
+  EXPECT_NE(fault_of<Whole>(column), "");
 }
 
 /// The numbers of integers 0 .. top in an affine system of a scalar.

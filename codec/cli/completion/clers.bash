@@ -13,7 +13,8 @@ _clers() {
   fi
 
   case $prev in
-    --from | --to) COMPREPLY=($(compgen -W "ply obj off stl glb gltf" -- "$cur")) && return ;;
+    --from) COMPREPLY=($(compgen -W "ply obj off stl glb gltf drc" -- "$cur")) && return ;;
+    --to) COMPREPLY=($(compgen -W "ply obj off stl glb gltf" -- "$cur")) && return ;;
     --level) COMPREPLY=($(compgen -W "1 2 3 4 5 6 7 8 9" -- "$cur")) && return ;;
     --order) COMPREPLY=($(compgen -W "free keep" -- "$cur")) && return ;;
     --positions)
@@ -29,7 +30,7 @@ _clers() {
   esac
 
   local limits="--max-memory --max-vertices --max-faces --max-meshes"
-  local meshes="@(ply|obj|off|stl|glb|gltf)" options files
+  local meshes="@(ply|obj|off|stl|glb|gltf|drc)" options files
   case $command in
     encode)
       options="-h --help -o --output -c --stdout --from -1 -2 -3 -4 -5 -6 -7 -8 -9 --level --order --pieces
@@ -45,7 +46,7 @@ _clers() {
       files=clers ;;
     verify)
       options="-h --help --from --strict -T --threads $limits -q --quiet"
-      files="@(ply|obj|off|stl|glb|gltf|clers)" ;;
+      files="@(ply|obj|off|stl|glb|gltf|drc|clers)" ;;
     check)
       options="-h --help --from --json -q --quiet"
       files=$meshes ;;
