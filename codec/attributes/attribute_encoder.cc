@@ -153,7 +153,7 @@ class AttributeEncoder {
         const std::span all(rows.data(), rows.size());
         if (!look_like_normals(all, numbered.numbers, along_)) return false;
         consider(Coder::normals, Predictor::none, numbered.bytes,
-                 encode_normals(all, numbered.numbers, along_), in_words(numbered.numbers));
+                 encode_normals(all, numbered.numbers, along_, level_), in_words(numbered.numbers));
         return true;
       };
       return header_.narrow ? try_rows(numbered.narrow) : try_rows(numbered.wide);

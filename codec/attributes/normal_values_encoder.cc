@@ -7,6 +7,7 @@
 
 #include "codec/attributes/normal_values.h"
 #include "codec/base/portable.h"
+#include "codec/entropy/lanes.h"
 #include "codec/entropy/measure.h"
 #include "codec/entropy/stream.h"
 
@@ -118,15 +119,23 @@ class ModelChoice {
 }  // namespace
 
 template <class Int>
-Bytes encode_normals(std::span<const Int> rows, const Numbers& numbers, const ValueSurface& along) {
+Bytes encode_normals(std::span<const Int> rows, const Numbers& numbers, const ValueSurface& along,
+                     int level) {
   const DoublePrecision doubles;
   Bytes bytes;
   if (rows.empty()) return bytes;
-  const NormalModel model = ModelChoice<Int>(rows, numbers, along).run();
+  NormalModel model = ModelChoice<Int>(rows, numbers, along).run();
+  model.quick = level < 7 && numbers.octahedral_bits() > 0;
   put_u8(bytes, number_of(model));
   std::vector<Int> coded(rows.begin(), rows.end());
   const std::size_t values = rows.size() / numbers.axes.size();
   const FormulaNormals formula(along, values, model.formula);
+  if (model.quick) {
+    LaneEncoder coder;
+    code_normals_quickly(coder, numbers, formula, along, std::span<Int>(coded));
+    coder.finish(bytes);
+    return bytes;
+  }
   put_bytes(bytes, encode_stream([&](EncodeTo& coder) {
               code_normals(coder, model, numbers, formula, along, std::span<Int>(coded), values);
             }));
@@ -144,7 +153,9 @@ bool look_like_normals(std::span<const Int> rows, const Numbers& numbers,
 
 template bool look_like_normals(std::span<const std::int32_t>, const Numbers&, const ValueSurface&);
 template bool look_like_normals(std::span<const std::int64_t>, const Numbers&, const ValueSurface&);
-template Bytes encode_normals(std::span<const std::int32_t>, const Numbers&, const ValueSurface&);
-template Bytes encode_normals(std::span<const std::int64_t>, const Numbers&, const ValueSurface&);
+template Bytes encode_normals(std::span<const std::int32_t>, const Numbers&, const ValueSurface&,
+                              int);
+template Bytes encode_normals(std::span<const std::int64_t>, const Numbers&, const ValueSurface&,
+                              int);
 
 }  // namespace clers::internal

@@ -143,7 +143,7 @@ template <class Int>
 void expect_to_come_back(const Rows& given, const ValueSurface& along) {
   ASSERT_TRUE(may_be_normals(given.numbers, along));
   const std::vector<Int> rows(given.rows.begin(), given.rows.end());
-  const Bytes bytes = encode_normals<Int>(rows, given.numbers, along);
+  const Bytes bytes = encode_normals<Int>(rows, given.numbers, along, 9);
   std::vector<Int> back(rows.size(), -1);
   const auto decoded = decode_normals<Int>(bytes, 0, given.numbers, along, std::span<Int>(back));
   ASSERT_TRUE(decoded.ok()) << describe(decoded.error());
@@ -225,11 +225,11 @@ TEST(NormalValues, FormulasCostNextToNothing) {
       for (const double x : n) exact.push_back(static_cast<float>(x));
     }
     const Rows words = numbered(exact, true);
-    EXPECT_LT(encode_normals<std::int64_t>(words.rows, words.numbers, along).size(), 100u)
+    EXPECT_LT(encode_normals<std::int64_t>(words.rows, words.numbers, along, 9).size(), 100u)
         << number;
     if (!formula.unit) continue;
     const Rows points = directions(all, 12);
-    const Bytes bytes = encode_normals<std::int64_t>(points.rows, points.numbers, along);
+    const Bytes bytes = encode_normals<std::int64_t>(points.rows, points.numbers, along, 9);
     EXPECT_LT(bytes.size(), 60u) << number;
     EXPECT_EQ(normal_model(std::to_integer<std::uint32_t>(bytes[0])).formula, formula);
   }
@@ -260,7 +260,7 @@ TEST(NormalValues, FacesTurnedForCodingAreNoticed) {
       for (double& x : all[v]) x = -x;
   }
   const Rows points = directions(all, 12);
-  EXPECT_LT(encode_normals<std::int64_t>(points.rows, points.numbers, along).size(), 120u);
+  EXPECT_LT(encode_normals<std::int64_t>(points.rows, points.numbers, along, 9).size(), 120u);
 }
 
 TEST(NormalValues, CornersOfAFaceFollowTheFirst) {
@@ -280,7 +280,7 @@ TEST(NormalValues, CornersOfAFaceFollowTheFirst) {
     for (std::size_t i = 0; i < 3; ++i) all[corners[h + i]] = n;
   }
   const Rows points = directions(all, 10);
-  const std::size_t bytes = encode_normals<std::int64_t>(points.rows, points.numbers, along).size();
+  const std::size_t bytes = encode_normals<std::int64_t>(points.rows, points.numbers, along, 9).size();
   EXPECT_LT(8 * bytes, 700u * 11);
   expect_to_come_back<std::int32_t>(points, along);
 }
