@@ -203,7 +203,7 @@ bool for_each_nearby(Domain domain, const ValueSurface& along, std::size_t value
 
 /// What for_each_nearby allocates. Precondition: vertices of corners are below so many.
 inline std::uint64_t known_values_memory(std::uint64_t values, std::uint64_t vertices) {
-  return values / 8 + 8 * vertices + 8;
+  return values + 8 * vertices;
 }
 
 }  // namespace clers::internal
