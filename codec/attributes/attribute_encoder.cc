@@ -112,11 +112,14 @@ class AttributeEncoder {
     };
     const bool is_position = is_position_ && axes.size() == 3;
     const Lattice<Int> lattice{rows, axes};
-    if (!is_position && level_ >= 5)
-      take(Coder::named, encode_named_values(lattice, surface_of(header_, lattice.count(), along_),
-                                             header_.coded_domain()));
     if (!is_position_ && level_ >= 5 && of_vertices() && may_be_charts(axes))
       take(Coder::charts, encode_charts(lattice, along_, level_));
+    if (!is_position && level_ >= 5) {
+      const std::size_t beside = best_.bytes.empty() ? no_bound : best_.bytes.size();
+      const Bytes named = encode_named_values(lattice, surface_of(header_, lattice.count(), along_),
+                                              header_.coded_domain(), level_, beside);
+      if (!named.empty() || rows.empty()) take(Coder::named, named);
+    }
     if (!is_position_ && level_ >= 5 && of_vertices() && may_be_weights(numbered.numbers) &&
         look_like_weights<Int>(rows, numbered.numbers))
       take(Coder::weights, encode_weights<Int>(rows, numbered.numbers, along_));
