@@ -115,9 +115,10 @@ class AttributeEncoder {
     if (!is_position_ && level_ >= 5 && of_vertices() && may_be_charts(axes))
       take(Coder::charts, encode_charts(lattice, along_, level_));
     if (!is_position && level_ >= 5) {
-      const std::size_t beside = best_.bytes.empty() ? no_bound : best_.bytes.size();
+      std::optional<std::size_t> beside;
+      if (level_ < 7 && !best_.bytes.empty()) beside = best_.bytes.size();
       const Bytes named = encode_named_values(lattice, surface_of(header_, lattice.count(), along_),
-                                              header_.coded_domain(), level_, beside);
+                                              header_.coded_domain(), beside);
       if (!named.empty() || rows.empty()) take(Coder::named, named);
     }
     if (!is_position_ && level_ >= 5 && of_vertices() && may_be_weights(numbered.numbers) &&

@@ -11,10 +11,8 @@
 namespace clers::internal {
 namespace {
 
-/// Values that models are tried on.
-std::size_t sample(int level) {
-  return level >= 7 ? 12288 : 3072;
-}
+// Values that models are tried on; and those that show whether that is worth it.
+constexpr std::size_t sample = 12288, small_sample = 3072;
 
 template <class Int, class Coder>
 void code_all(Coder& coder, const NamedModel& model, std::span<const std::uint64_t> tops,
@@ -57,7 +55,7 @@ Choice choose_model(std::span<const std::uint64_t> tops, std::span<Int> rows,
 
 template <class Int>
 Bytes encode_named_values(const Lattice<Int>& values, const ValueSurface& along, Domain domain,
-                          int level, std::size_t beside) {
+                          std::optional<std::size_t> beside) {
   Bytes bytes;
   if (values.rows.empty()) return bytes;
   const std::size_t components = values.axes.size();
@@ -72,10 +70,13 @@ Bytes encode_named_values(const Lattice<Int>& values, const ValueSurface& along,
                                                   static_cast<std::uint64_t>(rows[i])) -
                                  axis.palette.begin());
   }
-  const std::size_t tried = std::min(sample(level), values.count());
-  const auto [model, cost] = choose_model<Int>(tops, rows, along, domain, tried);
-  // A longer stream is cheaper a value: models learn.
-  if (level < 7 && cost / tried * values.count() / 4096 > beside) return bytes;
+  if (beside) {
+    const std::size_t tried = std::min(small_sample, values.count());
+    const std::uint64_t cost = choose_model<Int>(tops, rows, along, domain, tried).cost;
+    // In 1/256 bits. A longer stream is cheaper a value, since models learn.
+    if (cost / tried * values.count() / 10 * 7 / 2048 > *beside) return bytes;
+  }
+  const NamedModel model = choose_model<Int>(tops, rows, along, domain, sample).model;
   put_u8(bytes, number_of(model));
   put_bytes(bytes, encode_stream([&](EncodeTo& coder) {
               code_all<Int>(coder, model, tops, rows, along, domain, values.count());
@@ -83,9 +84,9 @@ Bytes encode_named_values(const Lattice<Int>& values, const ValueSurface& along,
   return bytes;
 }
 
-template Bytes encode_named_values(const Lattice<std::int32_t>&, const ValueSurface&, Domain, int,
-                                   std::size_t);
-template Bytes encode_named_values(const Lattice<std::int64_t>&, const ValueSurface&, Domain, int,
-                                   std::size_t);
+template Bytes encode_named_values(const Lattice<std::int32_t>&, const ValueSurface&, Domain,
+                                   std::optional<std::size_t>);
+template Bytes encode_named_values(const Lattice<std::int64_t>&, const ValueSurface&, Domain,
+                                   std::optional<std::size_t>);
 
 }  // namespace clers::internal
