@@ -16,6 +16,7 @@
 
 namespace clers::internal {
 
+/// By mixing four contexts.
 class MixedNormalResiduals {
  public:
   /// Component context.component, by what it is off, where the expectation is of this kind.
