@@ -116,11 +116,15 @@ class AttributeEncoder {
     };
     const bool is_position = is_position_ && axes.size() == 3;
     const Lattice<Int> lattice{rows, axes};
-    if (!is_position && level_ >= 5)
-      take(Coder::named, encode_named_values(lattice, surface_of(header_, lattice.count(), along_),
-                                             header_.coded_domain()));
     if (!is_position_ && level_ >= 5 && of_vertices() && may_be_charts(axes))
       take(Coder::charts, encode_charts(lattice, along_, level_));
+    if (!is_position && level_ >= 5) {
+      std::optional<std::size_t> beside;
+      if (level_ < 7 && !best_.bytes.empty()) beside = best_.bytes.size();
+      const Bytes named = encode_named_values(lattice, surface_of(header_, lattice.count(), along_),
+                                              header_.coded_domain(), beside);
+      if (!named.empty() || rows.empty()) take(Coder::named, named);
+    }
     if (!is_position_ && level_ >= 5 && of_vertices() && may_be_weights(numbered.numbers) &&
         look_like_weights<Int>(rows, numbered.numbers))
       take(Coder::weights, encode_weights<Int>(rows, numbered.numbers, along_));
@@ -172,7 +176,7 @@ class AttributeEncoder {
         const std::span all(rows.data(), rows.size());
         if (!look_like_normals(all, numbered.numbers, along_)) return false;
         consider(Coder::normals, Predictor::none, numbered.bytes,
-                 encode_normals(all, numbered.numbers, along_), in_words(numbered.numbers));
+                 encode_normals(all, numbered.numbers, along_, level_), in_words(numbered.numbers));
         return true;
       };
       return header_.narrow ? try_rows(numbered.narrow) : try_rows(numbered.wide);

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "codec/attributes/last_at_vertex.h"
+#include "codec/attributes/parallelograms.h"
 #include "codec/attributes/value_surface.h"
+#include "codec/base/portable.h"
 #include "codec/connectivity/coded_surface.h"
 #include "codec/mesh.h"
 #include "topology/ids.h"
@@ -101,6 +103,50 @@ bool for_each_with_nearby(const ValueSurface& along, std::size_t values, std::si
   return true;
 }
 
+/// The same, where no more is looked at than the triangle that introduces a value and those across
+/// its sides: what is known of a, b, across a-b, across b-v and across v-a, in this order.
+template <class Visit>
+bool for_each_with_gate(const ValueSurface& along, std::size_t values, Visit visit) {
+  const CodedSurface& surface = along.surface;
+  const std::uint32_t* const corners = surface.corners.data();
+  const HalfEdge* const twins = surface.twins.empty() ? nullptr : surface.twins.data();
+  std::vector<std::uint8_t> known(values);
+  LastAtVertex last(along.vertex_of);
+  std::uint32_t before = Nearby::none;
+  bool valid = true;
+  Nearby nearby;
+  const auto go_to = [&](std::uint32_t v) CLERS_INLINE_LAMBDA {
+    nearby.before = before;
+    nearby.same = last(v);
+    known[v] = 1;
+    last.coded(v);
+    before = v;
+    valid = visit(v, static_cast<const Nearby&>(nearby));
+  };
+  for_each_introduced(surface, [&](std::uint32_t t, unsigned i) CLERS_INLINE_LAMBDA {
+    const std::uint32_t h = 3 * t + i, next = next_in(h), previous = previous_in(h);
+    const std::uint32_t v = corners[h];
+    if (!valid) return;
+    nearby.count = 0;
+    const auto add = [&](std::uint32_t u) CLERS_INLINE_LAMBDA {
+      nearby.around[nearby.count] = u;
+      nearby.count += known[u];
+    };
+    add(corners[next]);
+    add(corners[previous]);
+    if (twins != nullptr) {
+      if (const HalfEdge out = twins[next]) add(corners[previous_in(out.index())]);
+      if (const HalfEdge out = twins[previous]) add(corners[previous_in(out.index())]);
+      if (const HalfEdge out = twins[h]) add(corners[previous_in(out.index())]);
+    }
+    go_to(v);
+  });
+  nearby.count = 0;
+  for (std::size_t v = 0; v < values && valid; ++v)
+    if (!known[v]) go_to(static_cast<std::uint32_t>(v));
+  return valid;
+}
+
 /// The same for values of corners, in their order. surface.corners are the vertices that they are
 /// at; where twins are there too, they are those of triangles, and values are as many as corners.
 /// Nearby are values at the same vertex: across the side from the corner to the next, across the
@@ -157,7 +203,7 @@ bool for_each_nearby(Domain domain, const ValueSurface& along, std::size_t value
 
 /// What for_each_nearby allocates. Precondition: vertices of corners are below so many.
 inline std::uint64_t known_values_memory(std::uint64_t values, std::uint64_t vertices) {
-  return values / 8 + 8 * vertices + 8;
+  return values + 8 * vertices;
 }
 
 }  // namespace clers::internal

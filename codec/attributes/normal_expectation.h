@@ -37,7 +37,9 @@ class NormalExpectation {
   unsigned expect(std::uint32_t v, const Nearby& nearby, Vector3& normal, const Known& known) {
     away_ = false;
     shape_ = {};
-    if (formula_.at(v, normal, shape_)) {
+    if (const FormulaNormals::Result* by_formula = formula_.at(v)) {
+      normal = by_formula->normal;
+      shape_ = by_formula->shape;
       std::uint32_t u = nearby.count > 0 ? nearby.around[0] : nearby.same;
       if (nearby.same != Nearby::none && is_same(nearby.same, normal)) u = nearby.same;
       if (u == Nearby::none) return 0;
@@ -68,9 +70,10 @@ class NormalExpectation {
   /// Whether the formula gives value u this normal: the same face mostly, or the same plane. Then
   /// its value was the same, too.
   bool is_same(std::uint32_t u, const Vector3& normal) const {
-    Vector3 there;
-    return formula_.at(u, there) && std::fabs(there[0] - normal[0]) < 0x1p-40 &&
-           std::fabs(there[1] - normal[1]) < 0x1p-40 && std::fabs(there[2] - normal[2]) < 0x1p-40;
+    const FormulaNormals::Result* there = formula_.at(u);
+    return there != nullptr && std::fabs(there->normal[0] - normal[0]) < 0x1p-40 &&
+           std::fabs(there->normal[1] - normal[1]) < 0x1p-40 &&
+           std::fabs(there->normal[2] - normal[2]) < 0x1p-40;
   }
 
   const FormulaNormals& formula_;
@@ -98,17 +101,21 @@ struct NormalContexts {
 
   std::array<std::uint32_t, MixedContexts::tables> of_tables() const {
     const unsigned size = std::min(expected / 2, sizes - 1),
-                   area = static_cast<unsigned>(std::clamp(shape.size - 40, 0, int(areas) - 1)),
-                   bend = std::min(static_cast<unsigned>(std::bit_width(shape.bent)), bends - 1),
                    other = std::min(before > 5 ? 5 + (before - 5) / 2 : before, others - 1);
     return {
-        (component * areas + area) * bends + bend, (component * parts + part) * sizes + size,
+        component * areas * bends + triangles(), (component * parts + part) * sizes + size,
         ((component * 2 + before_negative) * others + other) * parts + part,
         (component * sides + std::min(near[0], sides - 1)) * sides + std::min(near[1], sides - 1)};
   }
+  /// How large the triangles around are, and how bent.
+  unsigned triangles() const {
+    const auto area = static_cast<unsigned>(std::clamp(shape.size - 40, 0, int(areas) - 1));
+    return area * bends + std::min(static_cast<unsigned>(std::bit_width(shape.bent)), bends - 1);
+  }
   /// Where a number is beside the integer that is nearest, in eighths.
   static unsigned part_of(double off) {
-    return static_cast<unsigned>(std::clamp(std::floor(off * 8 + .5) + 8, 0., 16.));
+    // The double is not negative, so that it is cut downward.
+    return static_cast<unsigned>(std::clamp(off * 8 + 8.5, 0., 16.));
   }
 };
 

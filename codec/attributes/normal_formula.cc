@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
 
 #include "codec/scalar.h"
 
@@ -33,16 +33,38 @@ std::vector<Vector3> whole_places(const Attribute& position) {
   return places;
 }
 
-/// Of each vertex, the first one at its place.
+std::uint64_t hash_of(const Vector3& place) {
+  std::uint64_t hash = 0;
+  for (const double x : place)
+    hash = (hash ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(x))) * 0x9e3779b97f4a7c15u;
+  return hash ^ hash >> 32;
+}
+
+/// Of each vertex, the first one at its place. They are compared in buckets, of which none may be
+/// slow, whatever the places are.
 std::vector<std::uint32_t> first_at_places(const std::vector<Vector3>& places) {
-  std::vector<std::uint32_t> order(places.size()), first(places.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return places[a] != places[b] ? places[a] < places[b] : a < b;
-  });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool again = i > 0 && places[order[i]] == places[order[i - 1]];
-    first[order[i]] = again ? first[order[i - 1]] : order[i];
+  const auto count = static_cast<std::uint32_t>(places.size());
+  const std::size_t buckets = std::bit_ceil(places.size() + 1);
+  std::vector<std::uint32_t> first(count), order(count), end(buckets);
+  for (std::uint32_t v = 0; v < count; ++v)
+    ++end[first[v] = static_cast<std::uint32_t>(hash_of(places[v]) & (buckets - 1))];
+  std::uint32_t sum = 0;
+  for (std::uint32_t& e : end) e = std::exchange(sum, sum + e);
+  for (std::uint32_t v = 0; v < count; ++v) order[end[first[v]]++] = v;
+  constexpr std::uint32_t few = 16;
+  for (std::uint32_t b = 0, begin = 0; b < buckets; begin = end[b++]) {
+    const bool many = end[b] - begin > few;
+    if (many)
+      std::sort(order.begin() + begin, order.begin() + end[b],
+                [&](std::uint32_t u, std::uint32_t v) {
+                  return places[u] != places[v] ? places[u] < places[v] : u < v;
+                });
+    for (std::uint32_t i = begin; i < end[b]; ++i) {
+      const std::uint32_t v = order[i];
+      std::uint32_t j = many && i > begin ? i - 1 : begin;
+      while (j < i && places[order[j]] != places[v]) ++j;
+      first[v] = j < i ? first[order[j]] : v;
+    }
   }
   return first;
 }
@@ -53,11 +75,13 @@ FormulaNormals::FormulaNormals(const ValueSurface& along, std::size_t values,
                                const NormalFormula& formula)
     : along_(along), formula_(formula), places_(whole_places(*along.position)) {
   if (formula.around == NormalSum::place) first_at_ = first_at_places(places_);
-  sums_.resize(formula.around == NormalSum::value ? values : places_.size());
-  add_triangles();
+  std::vector<Sum> sums(formula.around == NormalSum::value ? values : places_.size());
+  add_triangles(sums);
+  results_.reserve(sums.size());
+  for (const Sum& sum : sums) results_.push_back(result_of(sum));
 }
 
-void FormulaNormals::add_triangles() {
+void FormulaNormals::add_triangles(std::vector<Sum>& sums) const {
   const auto& corners = along_.surface.corners;
   for (std::size_t h = 0; h < corners.size(); h += 3) {
     std::array<Vector3, 3> sides;  // from each corner to the next
@@ -72,7 +96,7 @@ void FormulaNormals::add_triangles() {
     if (formula_.weight != NormalWeight::area)
       for (double& x : normal) x /= area;
     for (std::size_t i = 0; i < 3; ++i) {
-      Sum& sum = sums_[group(corners[h + i])];
+      Sum& sum = sums[group(corners[h + i])];
       double weight = 1;
       if (formula_.weight == NormalWeight::angle)
         weight = angle_of(-dot(sides[i], sides[(i + 2) % 3]), area);
@@ -83,20 +107,17 @@ void FormulaNormals::add_triangles() {
   }
 }
 
-bool FormulaNormals::at(std::uint32_t value, Vector3& normal, Shape& shape) const {
-  const std::uint32_t g = group(value);
-  if (g >= sums_.size()) return false;
-  const Sum& sum = sums_[g];
+FormulaNormals::Result FormulaNormals::result_of(const Sum& sum) const {
   const double length = std::sqrt(dot(sum.normal, sum.normal));
   // What is left of normals that cancel is rounding.
-  if (!(length > sum.weight * 0x1p-40)) return false;
+  if (!(length > sum.weight * 0x1p-40)) return {{}, {0, no_normal}};
   double scale = 1;
   if (formula_.unit) scale = length;
   if (formula_.inward) scale = -scale;
-  for (std::size_t c = 0; c < 3; ++c) normal[c] = sum.normal[c] / scale;
-  shape.bent = static_cast<unsigned>(std::max(0., (1 - length / sum.weight) * 256));
-  shape.size = static_cast<int>(std::bit_cast<std::uint64_t>(sum.area) >> 52 & 2047) - 1023;
-  return true;
+  const double left = 1 - length / sum.weight;
+  return {{sum.normal[0] / scale, sum.normal[1] / scale, sum.normal[2] / scale},
+          {left > 0 ? static_cast<unsigned>(left * 256) : 0,
+           static_cast<int>(std::bit_cast<std::uint64_t>(sum.area) >> 52 & 2047) - 1023}};
 }
 
 bool FormulaNormals::has_places(const Attribute& position) {
@@ -107,8 +128,8 @@ bool FormulaNormals::has_places(const Attribute& position) {
 }
 
 std::uint64_t FormulaNormals::memory(std::uint64_t values, std::uint64_t vertices) {
-  return (sizeof(Vector3) + 2 * sizeof(std::uint32_t)) * vertices +
-         sizeof(Sum) * std::max(values, vertices);
+  return (sizeof(Vector3) + 4 * sizeof(std::uint32_t)) * vertices +
+         (sizeof(Sum) + sizeof(Result)) * std::max(values, vertices);
 }
 
 }  // namespace clers::internal

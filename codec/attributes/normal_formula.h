@@ -71,10 +71,20 @@ class FormulaNormals {
 
   /// False if the value has none: it is in no triangle, those around it have no area, or cancel.
   bool at(std::uint32_t value, Vector3& normal) const {
-    Shape shape;
-    return at(value, normal, shape);
+    const Result* result = at(value);
+    if (result != nullptr) normal = result->normal;
+    return result != nullptr;
   }
-  bool at(std::uint32_t value, Vector3& normal, Shape& shape) const;
+  /// A normal, and the shape around it.
+  struct Result {
+    Vector3 normal;
+    Shape shape;
+  };
+  /// The same; nullptr if the value has none.
+  const Result* at(std::uint32_t value) const {
+    const std::uint32_t g = group(value);
+    return g < results_.size() && results_[g].shape.size != no_normal ? &results_[g] : nullptr;
+  }
 
   /// Whether several vertices are at one place. Cost: a sort.
   static bool has_places(const Attribute& position);
@@ -83,6 +93,9 @@ class FormulaNormals {
   static std::uint64_t memory(std::uint64_t values, std::uint64_t vertices);
 
  private:
+  /// The size of what has no normal; no exponent is as great.
+  static constexpr int no_normal = 2048;
+
   /// Of the triangles around something.
   struct Sum {
     Vector3 normal = {};
@@ -93,13 +106,14 @@ class FormulaNormals {
     const std::uint32_t vertex = along_.vertex(value);
     return formula_.around == NormalSum::vertex ? vertex : first_at_[vertex];
   }
-  void add_triangles();
+  void add_triangles(std::vector<Sum>& sums) const;
+  Result result_of(const Sum& sum) const;
 
   const ValueSurface& along_;
   const NormalFormula formula_;
   std::vector<Vector3> places_;          // of vertices, whole numbers below 2^50
   std::vector<std::uint32_t> first_at_;  // of each vertex, the first one at its place
-  std::vector<Sum> sums_;
+  std::vector<Result> results_;
 };
 
 }  // namespace clers::internal

@@ -6,6 +6,7 @@
 #include "codec/attributes/normal_values.h"
 #include "codec/base/portable.h"
 #include "codec/entropy/bytes.h"
+#include "codec/entropy/lanes.h"
 #include "codec/entropy/stream.h"
 
 namespace clers::internal {
@@ -40,6 +41,15 @@ Expected<Done> decode_normals(std::span<const std::byte> bytes, std::uint64_t at
   const NormalModel model = normal_model(number);
   if (number >= normal_models || !model.fits(numbers))
     return invalid("normals with model " + std::to_string(number));
+  if (model.quick) {
+    LaneDecoder coder(in);
+    if (!in.ok()) return Failure{in.error()};
+    const FormulaNormals formula(along, values, model.formula);
+    if (!code_normals_quickly(coder, numbers, formula, along, rows))
+      return invalid("a normal beyond what there is");
+    if (!coder.finished()) return invalid("normals do not end where their bytes end");
+    return Done{};
+  }
   const Stream stream{in.take(in.left()), at + 1};
   if (values > stream.max_decisions()) return invalid("more normals than their bytes can say");
   const FormulaNormals formula(along, values, model.formula);

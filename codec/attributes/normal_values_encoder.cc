@@ -2,11 +2,14 @@
 #include "codec/attributes/normal_values_encoder.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 #include "codec/attributes/normal_values.h"
 #include "codec/base/portable.h"
+#include "codec/entropy/lanes.h"
 #include "codec/entropy/measure.h"
 #include "codec/entropy/stream.h"
 
@@ -66,11 +69,13 @@ Sides sides_of(const std::vector<Vector3>& vectors, const FormulaNormals& formul
 template <class Int>
 class ModelChoice {
  public:
-  ModelChoice(std::span<const Int> rows, const Numbers& numbers, const ValueSurface& along)
+  ModelChoice(std::span<const Int> rows, const Numbers& numbers, const ValueSurface& along,
+              int level)
       : rows_(rows.begin(), rows.end()),
         numbers_(numbers),
         along_(along),
         vectors_(vectors_of(rows, numbers)) {
+    model_.quick = level < 7 && numbers.octahedral_bits() > 0;
     model_.unit_vectors = numbers.octahedral_bits() == 0 && are_unit_vectors(vectors_);
     const Sides sides = sides_of(vectors_, FormulaNormals(along, vectors_.size(), {}));
     model_.formula.inward = sides.inward > sides.outward;
@@ -100,11 +105,37 @@ class ModelChoice {
     model.formula.around = around;
     model.formula.unit = unit;
     const FormulaNormals formula(along_, vectors_.size(), model.formula);
+    const std::uint64_t cost = model.quick ? distance(formula) : this->cost(model, formula);
+    if (cost >= least_) return;
+    least_ = cost;
+    best_ = model;
+  }
+
+  std::uint64_t cost(const NormalModel& model, const FormulaNormals& formula) {
     Measure coder;
     code_normals(coder, model, numbers_, formula, along_, std::span<Int>(rows_), sample);
-    if (coder.cost() >= least_) return;
-    least_ = coder.cost();
-    best_ = model;
+    return coder.cost();
+  }
+  /// About the bits of what a formula is off, on whichever side.
+  std::uint64_t distance(const FormulaNormals& formula) const {
+    const OctahedralGrid grid(numbers_.octahedral_bits());
+    std::uint64_t bits = 0;
+    const std::size_t step = vectors_.size() / sample + 1;
+    for (std::size_t v = 0; v < vectors_.size(); v += step) {
+      Vector3 normal;
+      if (!formula.at(static_cast<std::uint32_t>(v), normal)) {
+        bits += 32;
+        continue;
+      }
+      if (dot(normal, vectors_[v]) < 0)
+        for (double& x : normal) x = -x;
+      const OctahedralPoint p = grid.nearest(grid.project(normal)),
+                            q = grid.point(static_cast<std::int64_t>(rows_[2 * v]),
+                                           static_cast<std::int64_t>(rows_[2 * v + 1]));
+      for (std::size_t c = 0; c < 3; ++c)
+        bits += static_cast<unsigned>(std::bit_width(static_cast<unsigned>(std::abs(p[c] - q[c]))));
+    }
+    return bits;
   }
 
   std::vector<Int> rows_;
@@ -118,15 +149,22 @@ class ModelChoice {
 }  // namespace
 
 template <class Int>
-Bytes encode_normals(std::span<const Int> rows, const Numbers& numbers, const ValueSurface& along) {
+Bytes encode_normals(std::span<const Int> rows, const Numbers& numbers, const ValueSurface& along,
+                     int level) {
   const DoublePrecision doubles;
   Bytes bytes;
   if (rows.empty()) return bytes;
-  const NormalModel model = ModelChoice<Int>(rows, numbers, along).run();
+  const NormalModel model = ModelChoice<Int>(rows, numbers, along, level).run();
   put_u8(bytes, number_of(model));
   std::vector<Int> coded(rows.begin(), rows.end());
   const std::size_t values = rows.size() / numbers.axes.size();
   const FormulaNormals formula(along, values, model.formula);
+  if (model.quick) {
+    LaneEncoder coder;
+    code_normals_quickly(coder, numbers, formula, along, std::span<Int>(coded));
+    coder.finish(bytes);
+    return bytes;
+  }
   put_bytes(bytes, encode_stream([&](EncodeTo& coder) {
               code_normals(coder, model, numbers, formula, along, std::span<Int>(coded), values);
             }));
@@ -144,7 +182,9 @@ bool look_like_normals(std::span<const Int> rows, const Numbers& numbers,
 
 template bool look_like_normals(std::span<const std::int32_t>, const Numbers&, const ValueSurface&);
 template bool look_like_normals(std::span<const std::int64_t>, const Numbers&, const ValueSurface&);
-template Bytes encode_normals(std::span<const std::int32_t>, const Numbers&, const ValueSurface&);
-template Bytes encode_normals(std::span<const std::int64_t>, const Numbers&, const ValueSurface&);
+template Bytes encode_normals(std::span<const std::int32_t>, const Numbers&, const ValueSurface&,
+                              int);
+template Bytes encode_normals(std::span<const std::int64_t>, const Numbers&, const ValueSurface&,
+                              int);
 
 }  // namespace clers::internal

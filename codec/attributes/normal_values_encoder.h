@@ -21,7 +21,8 @@ bool look_like_normals(std::span<const Int> rows, const Numbers& numbers,
 /// gives them. Cost: linear for each formula that is tried, twelve at most. Throws std::bad_alloc
 /// only.
 template <class Int>
-Bytes encode_normals(std::span<const Int> rows, const Numbers& numbers, const ValueSurface& along);
+Bytes encode_normals(std::span<const Int> rows, const Numbers& numbers, const ValueSurface& along,
+                     int level);
 
 }  // namespace clers::internal
 

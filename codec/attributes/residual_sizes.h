@@ -44,6 +44,24 @@ CLERS_ALWAYS_INLINE std::uint64_t place_in_bin(std::int64_t r, unsigned width) {
   return (static_cast<std::uint64_t>(r) + (size >> 1)) & (size - 1);
 }
 
+/// Codes a bin beyond -7 .. 7 by its length in bits, in a distribution, and the bits. False if no
+/// residual is as large as what was decoded.
+template <class Coder>
+bool code_far_bin(Coder& coder, unsigned lane, Distribution& lengths, unsigned width,
+                  std::int64_t& bin) {
+  const bool negative = bin < 0;
+  const std::uint64_t beyond = static_cast<std::uint64_t>(negative ? -bin : bin) - 7;
+  unsigned length = static_cast<unsigned>(std::bit_width(beyond)) - 1;
+  const unsigned s = coder.symbol(lane, lengths, std::min(length, 15u));
+  length = s < 15 ? s : 15 + static_cast<unsigned>(coder.even(lane, 6, length - 15));
+  if (length + width > 60) return false;
+  const std::uint64_t one = std::uint64_t(1) << length;
+  const std::uint64_t far = coder.even(lane, length, beyond & (one - 1)) + one + 7;
+  const bool minus = coder.even(lane, 1, negative) != 0;
+  bin = minus ? -static_cast<std::int64_t>(far) : static_cast<std::int64_t>(far);
+  return true;
+}
+
 /// Adaptive coding of residuals, expected ones cheap. A residual is a bin around 0, -7 .. 7, and
 /// the place in it:
 ///
@@ -85,26 +103,6 @@ class ResidualModel {
     return true;
   }
 
- private:
-  static constexpr unsigned few = 8;  ///< octaves with contexts of their own
-
-  template <class Coder>
-  CLERS_NEVER_INLINE bool code_beyond(Coder& coder, unsigned lane, ResidualContext context,
-                                      std::int64_t& bin) {
-    const bool negative = bin < 0;
-    const std::uint64_t beyond = static_cast<std::uint64_t>(negative ? -bin : bin) - 7;
-    unsigned length = static_cast<unsigned>(std::bit_width(beyond)) - 1;
-    Distribution& lengths = beyond_[context.kind];
-    const unsigned s = coder.symbol(lane, lengths, std::min(length, 15u));
-    length = s < 15 ? s : 15 + static_cast<unsigned>(coder.even(lane, 6, length - 15));
-    if (length + context.width > 60) return false;
-    const std::uint64_t one = std::uint64_t(1) << length;
-    const std::uint64_t far = coder.even(lane, length, beyond & (one - 1)) + one + 7;
-    const bool minus = coder.even(lane, 1, negative) != 0;
-    bin = minus ? -static_cast<std::int64_t>(far) : static_cast<std::int64_t>(far);
-    return true;
-  }
-
   /// Shares that fall from the middle on, the faster the smaller residuals are.
   static Distribution prior(unsigned octave) {
     const std::uint32_t falls = octave == 0 ? 100 : octave == 1 ? 150 : 180;  // of 256
@@ -125,6 +123,15 @@ class ResidualModel {
     }
     share[7] = static_cast<std::uint16_t>(rest);
     return Distribution(share);
+  }
+
+ private:
+  static constexpr unsigned few = 8;  ///< octaves with contexts of their own
+
+  template <class Coder>
+  CLERS_NEVER_INLINE bool code_beyond(Coder& coder, unsigned lane, ResidualContext context,
+                                      std::int64_t& bin) {
+    return code_far_bin(coder, lane, beyond_[context.kind], context.width, bin);
   }
 
   std::vector<Distribution> by_near_, beyond_;

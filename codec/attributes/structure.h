@@ -40,12 +40,48 @@ struct ValueArrays {
   }
 };
 
+/// The surface of the values of corners that all have one, in order of first use along it; false if
+/// they are others.
+inline bool make_whole_value_surface(const CodedFaces& faces, const ValueStructure& structure,
+                                     ValueArrays& out) {
+  const CodedSurface& whole = faces.surface;
+  const std::size_t half_edges = whole.corners.size(), values = out.vertex_of.size();
+  out.surface.corners.resize(half_edges);
+  out.surface.twins.resize(whole.twins.size());
+  std::uint32_t used = 0;
+  bool elsewhere = false;
+  for (std::size_t h = 0; h < half_edges; ++h) {
+    const std::uint32_t c = faces.corner(h), value = structure.value_of[c];
+    if (value >= used) {
+      if (value != used || used == values) return false;
+      out.vertex_of[used] = faces.corners[c];
+      out.surface.introduced_by[used++] = static_cast<std::uint32_t>(h / 3);
+    }
+    out.surface.corners[h] = value;
+    elsewhere |= out.vertex_of[value] != whole.corners[h];
+  }
+  const bool seams = !structure.seams.empty();
+  for (std::size_t h = 0; h < whole.twins.size(); ++h)
+    out.surface.twins[h] = seams && structure.seams[h] ? HalfEdge() : whole.twins[h];
+  if (used < values)
+    for (std::size_t c = structure.value_of.size(); c-- > 0;)
+      if (const std::uint32_t value = structure.value_of[c]; value >= used && value < values)
+        out.vertex_of[value] = faces.corners[c];
+  if (elsewhere) out.vertex_at.assign(whole.corners.begin(), whole.corners.end());
+  return true;
+}
+
 /// The surface of the values that elements of vertices or corners have; of faces, none. Cost:
 /// linear; memory: value_surface_memory.
 inline ValueArrays make_value_surface(const CodedFaces& faces, Domain domain,
                                       const ValueStructure& structure, std::size_t values) {
   ValueArrays out;
   if (domain == Domain::face) return out;
+  out.surface.introduced_by.resize(values, CodedSurface::nothing);
+  out.vertex_of.resize(values);
+  if (domain == Domain::corner && make_whole_value_surface(faces, structure, out)) return out;
+  out.surface.corners.clear();
+  out.surface.twins.clear();
   const CodedSurface& whole = faces.surface;
   const auto value = [&](std::size_t h) {
     return structure
@@ -79,9 +115,7 @@ inline ValueArrays make_value_surface(const CodedFaces& faces, Domain domain,
     }
     out.surface.twins.push_back(twin);
   }
-  out.surface.introduced_by.resize(values);
   find_introducing(out.surface.corners, out.surface.introduced_by);
-  out.vertex_of.resize(values);
   for (std::size_t e = structure.value_of.size(); e-- > 0;)
     if (structure.value_of[e] != no_value)
       out.vertex_of[structure.value_of[e]] = domain == Domain::corner ? faces.corners[e]
@@ -133,7 +167,10 @@ bool code_structure(Coder& coder, const StructureHeader& header, const CodedFace
   std::vector<std::uint32_t> list;
   if (domain == Domain::corner) {
     if (!faces.surface.twins.empty())
-      structure.seams = SeamCoder(faces, value_of, beside).code(coder, same);
+      structure.seams =
+          SeamCoder(faces, header.missing ? std::span(value_of) : std::span<std::uint32_t>(),
+                    beside)
+              .code(coder, same);
     WedgeCoder wedges(faces, structure.seams, value_of, listed ? value_of.size() : used);
     if (!wedges.code(coder, same)) return false;
     count = wedges.count();
@@ -166,11 +203,11 @@ inline std::uint64_t structure_memory(const StructureHeader& header, Domain doma
   std::uint64_t most = header.missing && domain == Domain::corner ? vertices : 0;
   if (domain == Domain::corner)
     most = std::max({most, SeamCoder::memory(vertices, half_edges),
-                     half_edges / 8 + 8 + WedgeCoder::memory(vertices, elements, count)});
+                     seams_memory(half_edges) + WedgeCoder::memory(vertices, elements, count)});
   if (listed)
-    most =
-        std::max(most, half_edges / 8 + 8 + 4 * count + SharingCoder::memory(count, header.values) +
-                           (domain == Domain::corner ? SharingGuess::memory(half_edges) : 0));
+    most = std::max(most, seams_memory(half_edges) + 4 * count +
+                              SharingCoder::memory(count, header.values) +
+                              (domain == Domain::corner ? SharingGuess::memory(half_edges) : 0));
   return most;
 }
 

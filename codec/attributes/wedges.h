@@ -17,8 +17,10 @@
 
 #include "codec/attributes/coded_faces.h"
 #include "codec/attributes/missing.h"
+#include "codec/attributes/parallelograms.h"
 #include "codec/attributes/seams.h"
 #include "codec/base/no_index.h"
+#include "codec/base/portable.h"
 #include "codec/entropy/coder.h"
 #include "topology/ids.h"
 
@@ -45,12 +47,16 @@ class WedgeCoder {
   /// False: there are more values than at most. `same(c, d)` as for SeamCoder.
   template <class Coder, class Same>
   bool code(Coder& coder, const Same& same) {
-    for (std::uint32_t h = 0; h < faces_.surface.corners.size(); ++h) {
+    const auto half_edges = static_cast<std::uint32_t>(faces_.surface.corners.size());
+    for (std::uint32_t h = 0; h < half_edges; ++h) {
       const std::uint32_t c = faces_.corner(h);
       if (value_of_[c] != unassigned) continue;
-      const std::uint32_t value = code_value(coder, wedges_, c, same);
+      std::uint32_t value = unassigned;
+      if (last_[faces_.corners[c]] != no_index && !faces_.surface.twins.empty())
+        value = known_in_wedge(h);
+      if (value >= unassigned) value = code_value(coder, wedges_, c, same);
       if (value == no_index) return false;
-      spread(h, value);
+      value_of_[c] = value;
     }
     for (std::uint32_t c = 0; c < value_of_.size(); ++c) {
       if (value_of_[c] != unassigned) continue;
@@ -94,29 +100,33 @@ class WedgeCoder {
     return corner_of_.empty() ? 0 : corner_of_[value];
   }
 
-  /// Gives a value to all corners of the wedge of half-edge `first`.
-  void spread(std::uint32_t first, std::uint32_t value) {
-    value_of_[faces_.corner(first)] = value;
-    const std::span<const HalfEdge> twins = faces_.surface.twins;
-    if (twins.empty()) return;
+  /// The value of the wedge of half-edge `first` if one of its corners has it, else one that is not
+  /// below `unassigned`. Mostly a triangle beside it has it.
+  std::uint32_t known_in_wedge(std::uint32_t first) const {
+    const HalfEdge* const twins = faces_.surface.twins.data();
+    const auto value = [&](std::uint32_t h) { return value_of_[faces_.corner(h)]; };
     // Where only the other end of an edge is known to be no seam, this one may have no value.
-    const auto go_to = [&](HalfEdge h) {
-      std::uint32_t& known = value_of_[faces_.corner(h.index())];
-      if (known == no_value) return false;
-      known = value;
-      return true;
+    const auto before = [&](std::uint32_t h) CLERS_INLINE_LAMBDA {  // clockwise
+      return twins[h] && !seams_[h] ? next_in(twins[h].index()) : no_index;
     };
-    const auto open = [&](HalfEdge side) { return twins[side.index()] && !seams_[side.index()]; };
-    HalfEdge h(first);
-    while (open(lprev(h))) {  // counterclockwise
-      h = twins[lprev(h).index()];
-      if (h.index() == first) return;
-      if (!go_to(h)) break;
-    }
-    for (h = HalfEdge(first); open(h);) {
-      h = lnext(twins[h.index()]);
-      if (!go_to(h)) break;
-    }
+    const auto after = [&](std::uint32_t h) CLERS_INLINE_LAMBDA {
+      const std::uint32_t side = previous_in(h);
+      return twins[side] && !seams_[side] ? twins[side].index() : no_index;
+    };
+    std::uint32_t back = before(first), on = after(first);
+    const std::uint32_t one = back == no_index ? unassigned : value(back);
+    if (one < unassigned) return one;
+    const std::uint32_t two = on == no_index ? unassigned : value(on);
+    if (two < unassigned) return two;
+    for (; on != no_index && on != first; on = after(on))
+      if (const std::uint32_t v = value(on); v != unassigned) {
+        if (v != no_value) return v;
+        break;
+      }
+    if (on == first) return unassigned;
+    for (; back != no_index && back != first; back = before(back))
+      if (const std::uint32_t v = value(back); v != unassigned) return v;
+    return unassigned;
   }
 
   const CodedFaces& faces_;

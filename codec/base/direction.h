@@ -43,15 +43,18 @@ inline double angle_of(double x, double y) {
   constexpr double half_turn = 0x1.921fb54442d18p+1;
   const double beside = std::fabs(x);
   const bool steep = y > beside;
-  const double t = steep ? beside / y : y / beside;
+  const double t = std::min(beside, y) / std::max(beside, y);
   const auto k = static_cast<std::size_t>(t * 8 + 0.5);
   const double c = static_cast<double>(k) / 8;
   const double r = (t - c) / (1 + t * c), s = r * r;
   double sum = 1. / 13;
   for (const double odd : {11., 9., 7., 5., 3.}) sum = 1 / odd - s * sum;
-  double angle = arctangent_of_eighths[k] + (r - r * (s * sum));
-  if (steep) angle = half_turn / 2 - angle;
-  return x < 0 ? half_turn - angle : angle;
+  const double angle = arctangent_of_eighths[k] + (r - r * (s * sum));
+  // Without branches, which would go either way.
+  constexpr std::array<double, 2> from_quarter = {0, half_turn / 2}, from_half = {0, half_turn},
+                                  sign = {1, -1};
+  const double upward = from_quarter[steep] + sign[steep] * angle;
+  return from_half[x < 0] + sign[x < 0] * upward;
 }
 
 /// The vector with its largest component made 1 .. 2 by a power of two; false if it has no

@@ -42,6 +42,21 @@ struct alignas(16) Starts {
   }
 };
 
+/// The shares that are between two others, of each symbol: those of a mix of both.
+CLERS_ALWAYS_INLINE Starts mean_of(const Starts& a, const Starts& b) {
+  Starts mean;
+#if CLERS_SSE2
+  for (int i = 0; i < 2; ++i)
+    _mm_store_si128(reinterpret_cast<__m128i*>(mean.at) + i,
+                    _mm_avg_epu16(_mm_load_si128(reinterpret_cast<const __m128i*>(a.at) + i),
+                                  _mm_load_si128(reinterpret_cast<const __m128i*>(b.at) + i)));
+#else
+  for (unsigned s = 0; s < 16; ++s)
+    mean.at[s] = static_cast<std::uint16_t>((a.at[s] + b.at[s] + 1) >> 1);
+#endif
+  return mean;
+}
+
 /// Cumulative shares that move towards what they see: mixing of cumulative distributions, after
 /// Giesen, "Mixing discrete probability distributions".
 class alignas(64) Distribution {

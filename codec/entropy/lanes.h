@@ -34,6 +34,12 @@ class LaneEncoder {
     return s;
   }
 
+  /// A symbol of shares that the caller has.
+  CLERS_ALWAYS_INLINE unsigned symbol(unsigned lane, const Starts& starts, unsigned s) {
+    put(lane, starts, s);
+    return s;
+  }
+
   /// A decision among the symbols of a lane.
   bool flag(unsigned lane, BitModel& model, bool value) {
     const std::uint32_t share = model.share() >> (rans::scale_bits - share_bits);
@@ -125,10 +131,13 @@ class LaneDecoder {
   }
 
   CLERS_ALWAYS_INLINE unsigned symbol(unsigned lane, Distribution& x, unsigned) {
-    const Starts& starts = x.starts();
+    const unsigned s = symbol(lane, x.starts(), 0);
+    x.update(s);
+    return s;
+  }
+  CLERS_ALWAYS_INLINE unsigned symbol(unsigned lane, const Starts& starts, unsigned) {
     const unsigned s = starts.find(state_[lane] & (shares - 1));
     advance(lane, starts.at[s], std::uint32_t(starts.at[s + 1]) - starts.at[s]);
-    x.update(s);
     return s;
   }
 

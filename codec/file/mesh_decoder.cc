@@ -212,7 +212,7 @@ ValuesMemory memory_of(const PieceSections& s, const PieceSections::AttributeSec
   const std::uint64_t result = attribute_memory(a.header, a.count);
   const std::uint64_t sharing =
       structure_memory(structure, a.header.attribute.domain, a.count, s.vertices, sides);
-  const std::uint64_t found = each * a.count + sides / 8 + 8;
+  const std::uint64_t found = each * a.count + seams_memory(sides);
   if (!a.decoded) return {found, sharing};
   ValuesMemory out{std::max(memory.begun, result) + sizeof(Expected<BegunAttribute>),
                    std::max(memory.beginning, result + memory.finishing)};

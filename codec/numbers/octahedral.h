@@ -11,7 +11,9 @@
 #ifndef CLERS_CODEC_NUMBERS_OCTAHEDRAL_H
 #define CLERS_CODEC_NUMBERS_OCTAHEDRAL_H
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -70,27 +72,27 @@ class OctahedralGrid {
   }
 
   /// The point with the least angle to a vector that project() gave, of those around it: the first
-  /// of several, from the lesser magnitudes of x and y.
+  /// of several that are as near, up to rounding, from the lesser magnitudes of x and y. Without a
+  /// branch, which would go either way.
   OctahedralPoint nearest(const Vector3& on) const {
-    const Vector3 magnitude = {std::fabs(on[0]), std::fabs(on[1]), std::fabs(on[2])};
-    const auto x = static_cast<std::int32_t>(magnitude[0]),
-               y = static_cast<std::int32_t>(magnitude[1]);
-    OctahedralPoint best;
-    double most = -1, square = 1;  // of the best: its product with the vector, squared, and its own
-    for (const std::int32_t i : {0, 1})
-      for (const std::int32_t j : {0, 1}) {
-        const OctahedralPoint p = {{x + i, y + j, s_ - (x + i) - (y + j)}};
-        if (p[2] < 0) continue;
-        const double along = magnitude[0] * p[0] + magnitude[1] * p[1] + magnitude[2] * p[2],
-                     own = square_of(p), product = along * along;
-        if (!(product * square > most * own)) continue;
-        most = product;
-        square = own;
-        best = p;
-      }
-    for (std::size_t c = 0; c < 3; ++c)
-      if (on[c] < 0) best[c] = -best[c];
-    return best;
+    const double x = std::fabs(on[0]), y = std::fabs(on[1]), z = std::fabs(on[2]);
+    const auto i = static_cast<std::int32_t>(x), j = static_cast<std::int32_t>(y);
+    // The square of the cosine, but for a factor: as an integer it is ordered as the number is,
+    // and its last two bits say which point it is of.
+    std::int64_t best = 0;
+    for (std::int32_t k = 0; k < 4; ++k) {
+      const OctahedralPoint p = {{i + k / 2, j + k % 2, s_ - i - j - k / 2 - k % 2}};
+      const double along = x * p[0] + y * p[1] + z * p[2];
+      const auto bits = std::bit_cast<std::int64_t>(along * along / square_of(p));
+      best = std::max(best, p[2] < 0 ? 0 : (bits & ~std::int64_t(3)) | (3 - k));
+    }
+    const std::int32_t k = 3 - static_cast<std::int32_t>(best & 3);
+    const OctahedralPoint p = {{i + k / 2, j + k % 2, s_ - i - j - k / 2 - k % 2}};
+    const auto with_sign = [](std::int32_t n, double like) {
+      const std::int32_t sign = -static_cast<std::int32_t>(like < 0);
+      return (n ^ sign) - sign;
+    };
+    return {{with_sign(p[0], on[0]), with_sign(p[1], on[1]), with_sign(p[2], on[2])}};
   }
 
   /// The unit vector of a point: two rounded operations a component.

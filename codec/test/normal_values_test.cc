@@ -14,6 +14,7 @@
 #include "codec/attributes/normal_values_decoder.h"
 #include "codec/attributes/normal_values_encoder.h"
 #include "codec/base/portable.h"
+#include "codec/entropy/lanes.h"
 #include "codec/entropy/stream.h"
 #include "codec/numbers/number_encoder.h"
 #include "codec/test/attribute.h"
@@ -143,11 +144,13 @@ template <class Int>
 void expect_to_come_back(const Rows& given, const ValueSurface& along) {
   ASSERT_TRUE(may_be_normals(given.numbers, along));
   const std::vector<Int> rows(given.rows.begin(), given.rows.end());
-  const Bytes bytes = encode_normals<Int>(rows, given.numbers, along);
-  std::vector<Int> back(rows.size(), -1);
-  const auto decoded = decode_normals<Int>(bytes, 0, given.numbers, along, std::span<Int>(back));
-  ASSERT_TRUE(decoded.ok()) << describe(decoded.error());
-  EXPECT_EQ(back, rows);
+  for (const int level : {5, 9}) {
+    const Bytes bytes = encode_normals<Int>(rows, given.numbers, along, level);
+    std::vector<Int> back(rows.size(), -1);
+    const auto decoded = decode_normals<Int>(bytes, 0, given.numbers, along, std::span<Int>(back));
+    ASSERT_TRUE(decoded.ok()) << describe(decoded.error());
+    EXPECT_EQ(back, rows);
+  }
 }
 
 TEST(NormalValues, ComeBack) {
@@ -173,18 +176,22 @@ TEST(NormalValues, ComeBackByEveryModel) {
       const ValueSurface along = ground.along();
       const FormulaNormals formula(along, ground.values, model.formula);
       auto rows = given.rows;
-      const Bytes bytes = encode_stream([&](EncodeTo& coder) {
-        code_normals(coder, model, given.numbers, formula, along, std::span(rows), ground.values);
-      });
+      Bytes bytes(1, static_cast<std::byte>(number));
+      if (model.quick) {
+        LaneEncoder coder;
+        code_normals_quickly(coder, given.numbers, formula, along, std::span(rows));
+        coder.finish(bytes);
+      } else {
+        put_bytes(bytes, encode_stream([&](EncodeTo& coder) {
+                    code_normals(coder, model, given.numbers, formula, along, std::span(rows),
+                                 ground.values);
+                  }));
+      }
       EXPECT_EQ(rows, given.rows);
       std::vector<std::int64_t> back(rows.size(), -1);
-      const auto decoded = decode_stream({bytes, 0}, "normals", [&](DecodeFrom& coder) {
-        return std::string(code_normals(coder, model, given.numbers, formula, along,
-                                        std::span(back), ground.values)
-                               ? ""
-                               : "beyond");
-      });
-      ASSERT_TRUE(decoded.ok()) << number;
+      const auto decoded =
+          decode_normals<std::int64_t>(bytes, 0, given.numbers, along, std::span(back));
+      ASSERT_TRUE(decoded.ok()) << number << ": " << describe(decoded.error());
       ASSERT_EQ(back, rows) << number;
     }
 }
@@ -225,11 +232,11 @@ TEST(NormalValues, FormulasCostNextToNothing) {
       for (const double x : n) exact.push_back(static_cast<float>(x));
     }
     const Rows words = numbered(exact, true);
-    EXPECT_LT(encode_normals<std::int64_t>(words.rows, words.numbers, along).size(), 100u)
+    EXPECT_LT(encode_normals<std::int64_t>(words.rows, words.numbers, along, 9).size(), 100u)
         << number;
     if (!formula.unit) continue;
     const Rows points = directions(all, 12);
-    const Bytes bytes = encode_normals<std::int64_t>(points.rows, points.numbers, along);
+    const Bytes bytes = encode_normals<std::int64_t>(points.rows, points.numbers, along, 9);
     EXPECT_LT(bytes.size(), 60u) << number;
     EXPECT_EQ(normal_model(std::to_integer<std::uint32_t>(bytes[0])).formula, formula);
   }
@@ -260,7 +267,7 @@ TEST(NormalValues, FacesTurnedForCodingAreNoticed) {
       for (double& x : all[v]) x = -x;
   }
   const Rows points = directions(all, 12);
-  EXPECT_LT(encode_normals<std::int64_t>(points.rows, points.numbers, along).size(), 120u);
+  EXPECT_LT(encode_normals<std::int64_t>(points.rows, points.numbers, along, 9).size(), 120u);
 }
 
 TEST(NormalValues, CornersOfAFaceFollowTheFirst) {
@@ -280,7 +287,8 @@ TEST(NormalValues, CornersOfAFaceFollowTheFirst) {
     for (std::size_t i = 0; i < 3; ++i) all[corners[h + i]] = n;
   }
   const Rows points = directions(all, 10);
-  const std::size_t bytes = encode_normals<std::int64_t>(points.rows, points.numbers, along).size();
+  const std::size_t bytes =
+      encode_normals<std::int64_t>(points.rows, points.numbers, along, 9).size();
   EXPECT_LT(8 * bytes, 700u * 11);
   expect_to_come_back<std::int32_t>(points, along);
 }
@@ -316,8 +324,10 @@ TEST(NormalValues, NoBytesHarm) {
   const auto all_grounds = grounds();
   for (std::size_t g = 0; g < all_grounds.size(); g += 23) {
     const Ground& ground = all_grounds[g];
+    const int level = g % 2 == 0 ? 5 : 9;
     for (const Rows& given : rows_of(ground.values, g)) {
-      const Bytes bytes = encode_normals<std::int64_t>(given.rows, given.numbers, ground.along());
+      const Bytes bytes =
+          encode_normals<std::int64_t>(given.rows, given.numbers, ground.along(), level);
       std::size_t refused = 0;
       for (int round = 0; round < 20; ++round) {
         Bytes hostile = bytes;
