@@ -153,7 +153,8 @@ class AttributeEncoder {
 
   /// Tries the coder of normals, with the numbers given, or with those that it predicts best.
   void normals(const AttributePlan& plan, const NumberedValues& given) {
-    if (is_position_ || !of_vertices()) return;
+    const bool of_faces = header_.attribute.domain == Domain::face && !header_.structure.any;
+    if (is_position_ || !(of_vertices() || of_faces)) return;
     const auto take = [&](const NumberedValues& numbered) {
       if (!may_be_normals(numbered.numbers, along_)) return false;
       header_.narrow = numbered.numbers.narrow();

@@ -94,11 +94,17 @@ struct AttributeHeader {
   bool begins_without_faces() const { return coder <= Coder::ordered; }
 };
 
+/// Whether values of faces are predicted along a surface of their own (face_surface.h).
+inline bool is_along_faces(const AttributeHeader& header) {
+  return header.attribute.domain == Domain::face && header.coder == Coder::normals;
+}
+
 /// What must be decoded before values can be.
 enum class Along : std::uint8_t { nothing, surface, twins };
 inline Along along(const AttributeHeader& header) {
   if (header.attribute.domain == Domain::corner)
     return header.structure.any || header.coder >= Coder::named ? Along::twins : Along::nothing;
+  if (is_along_faces(header)) return Along::twins;
   if (header.attribute.domain != Domain::vertex) return Along::nothing;
   if (header.in_planes())
     return header.predictor == Predictor::parallelogram || header.structure.any ? Along::surface
@@ -207,7 +213,8 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
                 "a coder of positions, which must be three components of vertices");
   const bool of_corners = domain == static_cast<std::uint32_t>(Domain::corner);
   if (coder == static_cast<std::uint32_t>(Coder::normals) &&
-      (components != 3 || domain == static_cast<std::uint32_t>(Domain::face) ||
+      (components != 3 ||
+       (header.structure.any && domain == static_cast<std::uint32_t>(Domain::face)) ||
        (of_corners && !header.structure.any)))
     return fail(ErrorCode::invalid, Place::byte, at,
                 "a coder of normals, which must be three components along a surface");

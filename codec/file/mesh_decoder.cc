@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "codec/attributes/coded_faces.h"
+#include "codec/attributes/face_surface.h"
 #include "codec/attributes/points.h"
 #include "codec/attributes/structure.h"
 #include "codec/attributes/structure_decoder.h"
@@ -216,6 +218,7 @@ ValuesMemory memory_of(const PieceSections& s, const PieceSections::AttributeSec
   if (!a.decoded) return {found, sharing};
   ValuesMemory out{std::max(memory.begun, result) + sizeof(Expected<BegunAttribute>),
                    std::max(memory.beginning, result + memory.finishing)};
+  if (is_along_faces(a.header)) out.step += FaceSurface::memory(half_edges(s), a.count);
   if (a.places > 0) out.held += a.places * a.header.attribute.stride();
   if (!structure.any) return out;
   const std::uint64_t coded = values * a.header.attribute.stride();
@@ -231,7 +234,8 @@ std::uint64_t corner_map_memory(const PieceSections& s, Values values) {
   bool needed = s.is_welded();
   if (values == Values::decode)
     for (const PieceSections::AttributeSection& a : s.attributes)
-      needed |= a.header.structure.any && a.header.attribute.domain == Domain::corner;
+      needed |= (a.header.structure.any && a.header.attribute.domain == Domain::corner) ||
+                is_along_faces(a.header);
   return needed && s.features & (feature::polygons | feature::raw) ? each * half_edges(s) : 0;
 }
 
@@ -426,10 +430,12 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
     if (a.header.structure.any)
       arrays = make_value_surface(along_faces, a.header.attribute.domain, structure,
                                   static_cast<std::size_t>(a.values()));
-    const ValueSurface values_along =
+    std::optional<FaceSurface> of_faces;
+    ValueSurface values_along =
         a.header.structure.any
             ? arrays.view(position)
             : ValueSurface{along_faces.surface, along_faces.place_of, position, {}, joints_for(i)};
+    if (is_along_faces(a.header)) values_along = of_faces.emplace(faces).view(position);
     auto attribute =
         finish_attribute(a.bytes, a.at, a.header, a.values(), std::move(*begun[i]), values_along);
     if (!attribute) return Failure{attribute.error()};

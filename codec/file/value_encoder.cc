@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "codec/attributes/attribute_format.h"
+#include "codec/attributes/face_surface.h"
 #include "codec/attributes/structure_encoder.h"
 #include "codec/base/parallel.h"
 #include "codec/file/permutation.h"
@@ -126,10 +127,12 @@ Expected<std::vector<EncodedAttribute>> encode_values(const CodedMesh& mesh,
         options.level < first_level_with_twins || i == position || a.domain != Domain::vertex
             ? std::nullopt
             : joints_in_coded_order(mesh, a.name, structure.at_places, plans);
-    coded[i] =
-        encode_attribute(moved[i], structure,
-                         {along.surface, along.place_of, places, {}, joints ? &*joints : nullptr},
-                         options.level, plan);
+    ValueSurface values_along{
+        along.surface, along.place_of, places, {}, joints ? &*joints : nullptr};
+    std::optional<FaceSurface> of_faces;
+    if (may_be_predicted_by_faces(a, options.level))
+      values_along = of_faces.emplace(mesh.coded).view(places);
+    coded[i] = encode_attribute(moved[i], structure, values_along, options.level, plan);
     if (coded[i]) coded[i]->info.count = mesh.mesh.value_count(a.domain);
     if (i != position) moved[i] = {};
   });
