@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "codec/attributes/charts.h"
 #include "codec/attributes/integer_planes.h"
+#include "codec/attributes/joints.h"
 #include "codec/attributes/mixed_coder.h"
 #include "codec/attributes/named_values_decoder.h"
 #include "codec/attributes/normal_values_decoder.h"
@@ -91,9 +93,19 @@ Expected<Done> finish_integers(const AttributeHeader& header, const Numbers& num
   }
   if (header.coder == Coder::charts)
     return decode_charts<Int>(coded, at, numbers.axes, along, lattice.rows);
-  if (header.coder == Coder::weights)
-    return decode_weights<Int>(coded, at, numbers, surface_of(header, lattice.count(), along),
-                               lattice.rows);
+  if (header.coder == Coder::weights || header.coder == Coder::skin) {
+    ValueSurface surface = surface_of(header, lattice.count(), along);
+    if (header.coder == Coder::weights) surface.joints = nullptr;
+    if (header.coder == Coder::skin && surface.joints == nullptr)
+      return fail(ErrorCode::invalid, Place::byte, at, "weights of joints that are not there");
+    return decode_weights<Int>(coded, at, numbers, surface, lattice.rows);
+  }
+  if (header.coder == Coder::joints) {
+    if constexpr (std::is_same_v<Int, std::int32_t>)
+      return decode_joints(coded, at, numbers.axes, surface_of(header, lattice.count(), along),
+                           lattice.rows);
+    return fail(ErrorCode::invalid, Place::byte, at, "joints of too many bits");
+  }
   const CodedSurface& surface = along.surface;
   if (header.coder == Coder::mixed) return decode_mixed(coded, at, surface, lattice);
   if (header.coder == Coder::sized) return decode_sized_positions(coded, at, surface, lattice);
@@ -213,8 +225,10 @@ AttributeMemory decoding_memory(std::span<const std::byte> bytes, const Attribut
   const std::uint64_t coding =
       header.coder == Coder::named
           ? named_values_memory(count, header.attribute.components, surface.vertices)
-      : header.coder == Coder::weights
+      : header.coder == Coder::weights || header.coder == Coder::skin
           ? weights_memory(count, header.attribute.components, surface.vertices)
+      : header.coder == Coder::joints
+          ? joints_memory(count, header.attribute.components, surface.vertices)
       : header.coder == Coder::normals ? normals_memory(count, surface.positions)
       : header.coder == Coder::charts
           ? charts_memory(count, header.attribute.components, surface.positions)

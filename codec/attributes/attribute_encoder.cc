@@ -9,6 +9,7 @@
 #include "codec/attributes/attribute_format.h"
 #include "codec/attributes/charts.h"
 #include "codec/attributes/integer_planes.h"
+#include "codec/attributes/joints.h"
 #include "codec/attributes/mixed_coder.h"
 #include "codec/attributes/named_values_encoder.h"
 #include "codec/attributes/normal_values_decoder.h"
@@ -72,6 +73,8 @@ class AttributeEncoder {
             : put_into_systems(attribute_.data, attribute_.scalar, plan.systems, level_);
     header_.narrow = numbered.numbers.narrow();
     if (level_ >= 5 && attribute_.components == 3) normals(plan, numbered);
+    if (level_ >= 5 && plan.systems.empty()) joints();
+    header_.narrow = numbered.numbers.narrow();
     const auto ok =
         header_.narrow ? integers(numbered, numbered.narrow) : integers(numbered, numbered.wide);
     if (!ok) return Failure{ok.error()};
@@ -126,8 +129,13 @@ class AttributeEncoder {
       if (!named.empty() || rows.empty()) take(Coder::named, named);
     }
     if (!is_position_ && level_ >= 5 && of_vertices() && may_be_weights(numbered.numbers) &&
-        look_like_weights<Int>(rows, numbered.numbers))
-      take(Coder::weights, encode_weights<Int>(rows, numbered.numbers, along_));
+        look_like_weights<Int>(rows, numbered.numbers)) {
+      ValueSurface along = along_;
+      along.joints = nullptr;
+      take(Coder::weights, encode_weights<Int>(rows, numbered.numbers, along));
+      if (along_.joints != nullptr && fit_as_joints(*along_.joints, lattice.count(), axes.size()))
+        take(Coder::skin, encode_weights<Int>(rows, numbered.numbers, along_));
+    }
     if (is_position && level_ == 9) take(Coder::mixed, encode_mixed(surface_, lattice));
     if (is_position && level_ >= 7)
       take(Coder::sized, encode_sized_positions(surface_, lattice, VisitOrder::parallelograms));
@@ -168,7 +176,8 @@ class AttributeEncoder {
 
   /// Tries the coder of normals, with the numbers given, or with those that it predicts best.
   void normals(const AttributePlan& plan, const NumberedValues& given) {
-    if (is_position_ || !of_vertices()) return;
+    const bool of_faces = header_.attribute.domain == Domain::face && !header_.structure.any;
+    if (is_position_ || !(of_vertices() || of_faces)) return;
     const auto take = [&](const NumberedValues& numbered) {
       if (!may_be_normals(numbered.numbers, along_)) return false;
       header_.narrow = numbered.numbers.narrow();
@@ -189,6 +198,19 @@ class AttributeEncoder {
         if (!take(numbered)) break;
     }
     header_.narrow = given.numbers.narrow();
+  }
+
+  /// Tries the coder of joints, which takes a joint to have one number in all components.
+  void joints() {
+    if (is_position_ || !of_vertices() || is_float(attribute_.scalar)) return;
+    const NumberedValues numbered =
+        put_into_systems(attribute_.data, attribute_.scalar,
+                         std::vector<NumberSystem>(attribute_.components), level_, Integers::whole);
+    const std::vector<Axis>& axes = numbered.numbers.axes;
+    if (!may_be_joints(axes) || !look_like_joints(numbered.narrow, axes, along_)) return;
+    header_.narrow = true;
+    consider(Coder::joints, Predictor::none, numbered.bytes,
+             encode_joints(numbered.narrow, axes, along_), in_words(numbered.numbers));
   }
 
   Expected<Done> words() {

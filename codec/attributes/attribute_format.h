@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "codec/attributes/prediction.h"
@@ -34,12 +35,15 @@ enum class Coder : std::uint8_t {
   charts = 6,   ///< texture coordinates by the shape of the surface (levels 5 to 9)
   normals = 7,  ///< directions by formulas of the geometry (levels 5 to 9)
   weights = 8,  ///< parts of a whole (levels 5 to 9)
+  joints = 9,   ///< tuples that neighbours have, too (levels 5 to 9)
+  skin = 10,    ///< weights of joints that are known (levels 5 to 9)
 };
-inline constexpr unsigned coder_count = 9;
+inline constexpr unsigned coder_count = 11;
 
 constexpr const char* name(Coder c) {
-  constexpr const char* names[coder_count] = {"words", "planes", "ordered", "sized",  "mixed",
-                                              "named", "charts", "normals", "weights"};
+  constexpr const char* names[coder_count] = {"words",   "planes", "ordered", "sized",
+                                              "mixed",   "named",  "charts",  "normals",
+                                              "weights", "joints", "skin"};
   return names[static_cast<unsigned>(c)];
 }
 
@@ -90,11 +94,17 @@ struct AttributeHeader {
   bool begins_without_faces() const { return coder <= Coder::ordered; }
 };
 
+/// Whether values of faces are predicted along a surface of their own (face_surface.h).
+inline bool is_along_faces(const AttributeHeader& header) {
+  return header.attribute.domain == Domain::face && header.coder == Coder::normals;
+}
+
 /// What must be decoded before values can be.
 enum class Along : std::uint8_t { nothing, surface, twins };
 inline Along along(const AttributeHeader& header) {
   if (header.attribute.domain == Domain::corner)
     return header.structure.any || header.coder >= Coder::named ? Along::twins : Along::nothing;
+  if (is_along_faces(header)) return Along::twins;
   if (header.attribute.domain != Domain::vertex) return Along::nothing;
   if (header.in_planes())
     return header.predictor == Predictor::parallelogram || header.structure.any ? Along::surface
@@ -105,6 +115,23 @@ inline Along along(const AttributeHeader& header) {
 /// Whether values are predicted from the positions of vertices, which must be decoded before.
 inline bool needs_position(const AttributeHeader& header) {
   return header.coder == Coder::charts || header.coder == Coder::normals;
+}
+
+/// What the attribute is called whose values weights of this name are those of: "" if none is.
+inline std::string joints_name(std::string_view weights) {
+  constexpr std::string_view begin = "WEIGHTS_";
+  if (weights.substr(0, begin.size()) != begin) return {};
+  return "JOINTS_" + std::string(weights.substr(begin.size()));
+}
+/// Whether values are weights of joints, which must be decoded before.
+inline bool needs_joints(const AttributeHeader& header) {
+  return header.coder == Coder::skin;
+}
+/// Whether these may be those joints: without a structure, as weights are then.
+inline bool may_be_joints_of(const AttributeHeader& joints, const AttributeHeader& weights) {
+  return joints.attribute.domain == Domain::vertex && !joints.structure.any &&
+         joints.structure.at_places == weights.structure.at_places &&
+         joints.attribute.name == joints_name(weights.attribute.name);
 }
 
 /// What a report says of it, by the header alone.
@@ -186,7 +213,8 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
                 "a coder of positions, which must be three components of vertices");
   const bool of_corners = domain == static_cast<std::uint32_t>(Domain::corner);
   if (coder == static_cast<std::uint32_t>(Coder::normals) &&
-      (components != 3 || domain == static_cast<std::uint32_t>(Domain::face) ||
+      (components != 3 ||
+       (header.structure.any && domain == static_cast<std::uint32_t>(Domain::face)) ||
        (of_corners && !header.structure.any)))
     return fail(ErrorCode::invalid, Place::byte, at,
                 "a coder of normals, which must be three components along a surface");
@@ -195,6 +223,10 @@ inline Expected<AttributeHeader> read_attribute_header(std::span<const std::byte
        (of_corners && !header.structure.any)))
     return fail(ErrorCode::invalid, Place::byte, at,
                 "a coder of charts, which must be along a surface");
+  if (coder == static_cast<std::uint32_t>(Coder::skin) &&
+      (header.structure.any || domain != static_cast<std::uint32_t>(Domain::vertex)))
+    return fail(ErrorCode::invalid, Place::byte, at,
+                "a coder of weights of joints, which must be of vertices");
   if (changed && !(header.error > 0 && std::isfinite(header.error)))
     return fail(ErrorCode::invalid, Place::byte, at, "an attribute with an error that is none");
   if (by_angle && (!changed || components != 3))

@@ -30,6 +30,8 @@ struct ValueSurface {
   const Attribute* position = nullptr;
   /// The vertex of the mesh at each corner; empty: that of its value.
   std::span<const std::uint32_t> vertex_at = {};
+  /// The joints that values are the weights of, decoded; nullptr where there are none.
+  const Attribute* joints = nullptr;
 
   std::uint32_t vertex(std::uint32_t value) const {
     return vertex_of.empty() ? value : vertex_of[value];

@@ -21,13 +21,18 @@ bool may_be_weights(const Numbers& numbers);
 template <class Int>
 bool look_like_weights(std::span<const Int> rows, const Numbers& numbers);
 
-/// Int is std::int32_t or std::int64_t. Preconditions: may_be_weights; every integer is one of its
-/// axis; the surface has no value beyond the rows. Cost: linear.
+/// Whether these are joints for so many values of so many components.
+bool fit_as_joints(const Attribute& joints, std::size_t values, std::size_t components);
+
+/// With along.joints, which fit, by what weights the same joints have around. Int is std::int32_t
+/// or std::int64_t. Preconditions: may_be_weights; every integer is one of its axis; the surface
+/// has no value beyond the rows. Cost: linear.
 template <class Int>
 Bytes encode_weights(std::span<const Int> rows, const Numbers& numbers, const ValueSurface& along);
 
-/// `at` is the offset of the bytes in the file. Of what is in the rows before nothing is used.
-/// Errors: truncated, invalid; the rows hold no matter what then. Throws std::bad_alloc only.
+/// With along.joints if and only if they were there. `at` is the offset of the bytes in the file.
+/// Of what is in the rows before nothing is used. Errors: truncated, invalid; the rows hold no
+/// matter what then. Throws std::bad_alloc only.
 template <class Int>
 Expected<Done> decode_weights(std::span<const std::byte> bytes, std::uint64_t at,
                               const Numbers& numbers, const ValueSurface& along,

@@ -13,6 +13,11 @@ bool may_be_weights(const Numbers& numbers) {
          (is_float(numbers.scalar) || clers::size_of(numbers.scalar) <= 2);
 }
 
+bool fit_as_joints(const Attribute& joints, std::size_t values, std::size_t components) {
+  return (joints.scalar == Scalar::uint8 || joints.scalar == Scalar::uint16) &&
+         joints.components == components && joints.value_count() == values;
+}
+
 template <class Int>
 Expected<Done> decode_weights(std::span<const std::byte> bytes, std::uint64_t at,
                               const Numbers& numbers, const ValueSurface& along,
@@ -23,11 +28,13 @@ Expected<Done> decode_weights(std::span<const std::byte> bytes, std::uint64_t at
   };
   if (!may_be_weights(numbers)) return invalid("weights of another kind");
   const std::size_t values = rows.size() / numbers.axes.size();
+  if (along.joints != nullptr && !fit_as_joints(*along.joints, values, numbers.axes.size()))
+    return invalid("weights of joints that they do not fit");
   if (values == 0) return bytes.empty() ? Expected<Done>(Done{}) : invalid("bytes of no weights");
   ByteReader in(bytes, at);
   LaneDecoder coder(in);
   if (!in.ok()) return Failure{in.error()};
-  WeightsModel<Int, LaneDecoder> model(coder, numbers, rows);
+  WeightsModel<Int, LaneDecoder> model(coder, numbers, along.joints, rows);
   const bool ok = for_each_with_nearby(
       along, values, values,
       [&](std::uint32_t v, const Nearby& nearby) { return model.code(v, nearby); });

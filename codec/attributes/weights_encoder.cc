@@ -33,7 +33,7 @@ Bytes encode_weights(std::span<const Int> rows, const Numbers& numbers, const Va
   integers_to_ranks(Lattice<Int>{ranks, numbers.axes});
   const std::size_t values = rows.size() / numbers.axes.size();
   LaneEncoder coder;
-  WeightsModel<Int, LaneEncoder> model(coder, numbers, ranks);
+  WeightsModel<Int, LaneEncoder> model(coder, numbers, along.joints, ranks);
   for_each_with_nearby(along, values, values, [&](std::uint32_t v, const Nearby& nearby) {
     return model.code(v, nearby);
   });

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "codec/attributes/coded_faces.h"
+#include "codec/attributes/face_surface.h"
 #include "codec/attributes/points.h"
 #include "codec/attributes/structure.h"
 #include "codec/attributes/structure_decoder.h"
@@ -216,6 +218,7 @@ ValuesMemory memory_of(const PieceSections& s, const PieceSections::AttributeSec
   if (!a.decoded) return {found, sharing};
   ValuesMemory out{std::max(memory.begun, result) + sizeof(Expected<BegunAttribute>),
                    std::max(memory.beginning, result + memory.finishing)};
+  if (is_along_faces(a.header)) out.step += FaceSurface::memory(half_edges(s), a.count);
   if (a.places > 0) out.held += a.places * a.header.attribute.stride();
   if (!structure.any) return out;
   const std::uint64_t coded = values * a.header.attribute.stride();
@@ -231,7 +234,8 @@ std::uint64_t corner_map_memory(const PieceSections& s, Values values) {
   bool needed = s.is_welded();
   if (values == Values::decode)
     for (const PieceSections::AttributeSection& a : s.attributes)
-      needed |= a.header.structure.any && a.header.attribute.domain == Domain::corner;
+      needed |= (a.header.structure.any && a.header.attribute.domain == Domain::corner) ||
+                is_along_faces(a.header);
   return needed && s.features & (feature::polygons | feature::raw) ? each * half_edges(s) : 0;
 }
 
@@ -289,7 +293,7 @@ PieceMemory memory_of(const PieceSections& s, Values values) {
   }
   if (values == Values::decode) {
     std::uint64_t held = (sizeof(Expected<BegunAttribute>) + sizeof(ValueStructure) +
-                          sizeof(std::size_t) + sizeof(Expected<Done>)) *
+                          sizeof(Attribute) + sizeof(std::size_t) + sizeof(Expected<Done>)) *
                          s.attributes.size();
     memory.faces += held;
     memory.values += held;
@@ -399,7 +403,7 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
     if (domain == Domain::corner) beside = &structures[i].seams;
   }
 
-  // Positions first: others may be predicted from them.
+  // Positions first: others may be predicted from them. Joints before their weights.
   const PieceSections::AttributeSection* first_position = nullptr;
   for (std::size_t i = attributes; i-- > 0;) {
     const PieceSections::AttributeSection& a = sections.attributes[i];
@@ -408,7 +412,15 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
       first_position = &a;
   }
   const Attribute* position = nullptr;
-  Attribute at_welded;
+  std::vector<Attribute> at_welded(attributes);  // values of places, as they are coded
+  const auto as_coded = [&](std::size_t i) {
+    return sections.attributes[i].places > 0 ? &at_welded[i] : &mesh.attributes[i];
+  };
+  const auto joints_for = [&](std::size_t i) -> const Attribute* {
+    if (!needs_joints(sections.attributes[i].header)) return nullptr;
+    const std::size_t k = sections.joints_of(i);
+    return k < attributes ? as_coded(k) : nullptr;
+  };
   const auto finish = [&](std::size_t i) -> Expected<Done> {
     const PieceSections::AttributeSection& a = sections.attributes[i];
     const CodedFaces& along_faces =
@@ -418,9 +430,12 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
     if (a.header.structure.any)
       arrays = make_value_surface(along_faces, a.header.attribute.domain, structure,
                                   static_cast<std::size_t>(a.values()));
-    const ValueSurface values_along =
-        a.header.structure.any ? arrays.view(position)
-                               : ValueSurface{along_faces.surface, along_faces.place_of, position};
+    std::optional<FaceSurface> of_faces;
+    ValueSurface values_along =
+        a.header.structure.any
+            ? arrays.view(position)
+            : ValueSurface{along_faces.surface, along_faces.place_of, position, {}, joints_for(i)};
+    if (is_along_faces(a.header)) values_along = of_faces.emplace(faces).view(position);
     auto attribute =
         finish_attribute(a.bytes, a.at, a.header, a.values(), std::move(*begun[i]), values_along);
     if (!attribute) return Failure{attribute.error()};
@@ -431,28 +446,28 @@ Expected<DecodedPiece> decode_piece(const PieceSections& sections, Values values
           !ok)
         return ok;
     if (a.places > 0) {
-      if (&a == first_position) {
-        at_welded = *attribute;
-        position = &at_welded;
-      }
+      at_welded[i] = *attribute;
       attribute->data = at_places(decoded->points.place_of, attribute->data, attribute->stride());
     }
     mesh.attributes[i] = std::move(*attribute);
-    if (&a == first_position && a.places == 0) position = &mesh.attributes[i];
     return Done{};
   };
-  if (first_position != nullptr)
-    if (auto ok = finish(static_cast<std::size_t>(first_position - sections.attributes.data()));
-        !ok)
-      return Failure{ok.error()};
-  std::vector<std::size_t> others;
-  others.reserve(attributes);
-  for (std::size_t i = 0; i < attributes; ++i)
-    if (sections.attributes[i].decoded && &sections.attributes[i] != first_position)
-      others.push_back(i);
-  std::vector<Expected<Done>> finished(others.size(), Done{});
-  for_each_item(others.size(), workers,
-                [&](std::size_t i, unsigned) { finished[i] = finish(others[i]); });
+  if (first_position != nullptr) {
+    const auto i = static_cast<std::size_t>(first_position - sections.attributes.data());
+    if (auto ok = finish(i); !ok) return Failure{ok.error()};
+    position = as_coded(i);
+  }
+  std::vector<Expected<Done>> finished(attributes, Done{});
+  for (const bool of_joints : {false, true}) {
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < attributes; ++i) {
+      const PieceSections::AttributeSection& a = sections.attributes[i];
+      if (a.decoded && &a != first_position && needs_joints(a.header) == of_joints)
+        others.push_back(i);
+    }
+    for_each_item(others.size(), workers,
+                  [&](std::size_t i, unsigned) { finished[others[i]] = finish(others[i]); });
+  }
   for (const auto& ok : finished)
     if (!ok) return Failure{ok.error()};
   std::size_t wanted = 0;

@@ -243,7 +243,8 @@ class MeshEncoder {
   Expected<Done> attributes(const EncodedSurface& coded, const CodedSurface& surface,
                             unsigned threads, const Progress& progress) {
     bool need_corners = false;
-    for (const AttributeView a : mesh_.attributes) need_corners |= may_have_structure(a);
+    for (const AttributeView a : mesh_.attributes)
+      need_corners |= may_have_structure(a) || may_be_predicted_by_faces(a, options_.level);
     if (need_corners && !weld_) find_coded_faces(coded, surface);
     auto values = encode_values({mesh_, all_, order(), coded.reversed_runs, coded_faces(surface),
                                  weld_ ? &points_.points : nullptr},

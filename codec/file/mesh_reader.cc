@@ -362,15 +362,27 @@ std::uint64_t meshes_memory(const ContainerReader::Tally& tally) {
 
 }  // namespace
 
+std::size_t PieceSections::joints_of(std::size_t weights) const {
+  const auto are = [&](const AttributeSection& a) {
+    return may_be_joints_of(a.header, attributes[weights].header);
+  };
+  return static_cast<std::size_t>(std::find_if(attributes.begin(), attributes.end(), are) -
+                                  attributes.begin());
+}
+
 void PieceSections::keep_attributes(const std::vector<bool>& wanted) {
-  // Backwards: what an attribute needs stands before it.
+  std::vector<bool> kept = wanted;
+  for (std::size_t i = 0; i < attributes.size(); ++i)
+    if (wanted[i] && needs_joints(attributes[i].header))
+      if (const std::size_t k = joints_of(i); k < attributes.size()) kept[k] = true;
+  // Backwards: the seams that an attribute needs stand before it.
   bool seams = false, position = false;
-  std::vector<bool> kept(attributes.size());
   for (std::size_t i = attributes.size(); i-- > 0;) {
     AttributeSection& a = attributes[i];
     const Attribute& what = a.header.attribute;
-    a.wanted = a.decoded = kept[i] = wanted[i];
-    position |= a.wanted && needs_position(a.header);
+    a.wanted = wanted[i];
+    a.decoded = kept[i];
+    position |= a.decoded && needs_position(a.header);
     if (a.header.structure.any && what.domain == Domain::corner) {
       kept[i] = kept[i] || seams;
       seams = kept[i] && a.header.structure.beside;

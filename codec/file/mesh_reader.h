@@ -62,6 +62,9 @@ struct PieceSections : PiecePlace {
     std::uint64_t values() const { return places > 0 ? places : header.values(count); }
   };
   std::vector<AttributeSection> attributes;
+  /// The number of the attribute whose values are the joints of the weights of this number; that of
+  /// all attributes if there is none.
+  std::size_t joints_of(std::size_t weights) const;
   /// Leaves those that are wanted, and what these need. Precondition: one flag for each.
   void keep_attributes(const std::vector<bool>& wanted);
 

@@ -82,7 +82,7 @@ Expected<ArraySection> read_array(const Section& section) {
   const Attribute& a = array.header.attribute;
   if (a.domain != Domain::face || array.header.structure.any ||
       array.header.measure != ErrorMeasure::difference || along(array.header) != Along::nothing ||
-      needs_position(array.header))
+      needs_position(array.header) || needs_joints(array.header))
     return invalid(section.at, "an array that is no plain list of values");
   if (array.count > most_values)
     return invalid(section.at, std::to_string(array.count) + " values are more than an array has");

@@ -2,8 +2,12 @@
 #include "codec/file/value_encoder.h"
 
 #include <cstring>
+#include <optional>
+#include <string_view>
 #include <utility>
 
+#include "codec/attributes/attribute_format.h"
+#include "codec/attributes/face_surface.h"
 #include "codec/attributes/structure_encoder.h"
 #include "codec/base/parallel.h"
 #include "codec/file/permutation.h"
@@ -33,6 +37,24 @@ bool weld(Attribute& a, std::uint32_t places, std::span<const std::uint32_t> pla
     if (std::memcmp(at_place(p), own(p), stride) != 0) return false;
   a.data = std::move(data);
   return true;
+}
+
+/// The joints of the weights of this name, if they can be known where these are decoded.
+std::optional<Attribute> joints_in_coded_order(const CodedMesh& mesh, std::string_view weights,
+                                               bool at_places,
+                                               std::span<const AttributePlan> plans) {
+  const AttributeViews& attributes = mesh.mesh.attributes;
+  for (std::size_t i = 0; i < attributes.size(); ++i) {
+    const AttributeView a = attributes[i];
+    if (a.domain != Domain::vertex || a.name != joints_name(weights)) continue;
+    if (may_have_structure(a) || (!plans.empty() && !plans[i].systems.empty())) return {};
+    Attribute joints = in_coded_order(a, mesh);
+    const bool welded =
+        mesh.points != nullptr && weld(joints, mesh.coded.vertices, mesh.points->place_of);
+    if (welded != at_places) return {};
+    return joints;
+  }
+  return {};
 }
 
 }  // namespace
@@ -101,8 +123,16 @@ Expected<std::vector<EncodedAttribute>> encode_values(const CodedMesh& mesh,
     }
     const CodedFaces& along =
         a.domain == Domain::vertex && !structure.at_places ? of_vertices : mesh.coded;
-    coded[i] = encode_attribute(moved[i], structure, {along.surface, along.place_of, places},
-                                options.level, plan);
+    const std::optional<Attribute> joints =
+        options.level < first_level_with_twins || i == position || a.domain != Domain::vertex
+            ? std::nullopt
+            : joints_in_coded_order(mesh, a.name, structure.at_places, plans);
+    ValueSurface values_along{
+        along.surface, along.place_of, places, {}, joints ? &*joints : nullptr};
+    std::optional<FaceSurface> of_faces;
+    if (may_be_predicted_by_faces(a, options.level))
+      values_along = of_faces.emplace(mesh.coded).view(places);
+    coded[i] = encode_attribute(moved[i], structure, values_along, options.level, plan);
     if (coded[i]) coded[i]->info.count = mesh.mesh.value_count(a.domain);
     if (i != position) moved[i] = {};
   });

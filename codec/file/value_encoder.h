@@ -39,6 +39,13 @@ inline bool may_have_structure(const AttributeView& a) {
   return a.domain == Domain::corner || !a.indices.empty();
 }
 
+/// Whether values of faces may be coded along a surface (face_surface.h), for which CodedFaces need
+/// all corners, too.
+inline bool may_be_predicted_by_faces(const AttributeView& a, int level) {
+  return a.domain == Domain::face && a.components == 3 && a.indices.empty() &&
+         level >= first_level_with_twins;
+}
+
 /// Encodes all attributes; as many `plans`, or none. Errors: internal. Throws std::bad_alloc only.
 Expected<std::vector<EncodedAttribute>> encode_values(const CodedMesh& mesh,
                                                       const EncodeOptions& options,

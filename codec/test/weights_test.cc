@@ -59,7 +59,18 @@ void check(const std::vector<Int>& rows, const Numbers& numbers, const ValueSurf
     }
   }
 }
-void check(const NumberedValues& values, const ValueSurface& along, corpus::Random& random) {
+void check(const NumberedValues& values, ValueSurface along, corpus::Random& random) {
+  // Of joints, too.
+  const std::size_t width = values.numbers.axes.size(),
+                    count = (values.narrow.size() + values.wide.size()) / width;
+  Attribute joints{"JOINTS_0",
+                   Domain::vertex,
+                   random.chance(50) ? Scalar::uint8 : Scalar::uint16,
+                   static_cast<std::uint8_t>(width),
+                   {}};
+  for (std::size_t i = 0; i < count * joints.stride(); ++i)
+    joints.data.push_back(static_cast<std::byte>(random.below(3)));
+  if (random.chance(50)) along.joints = &joints;
   if (values.numbers.narrow())
     check(values.narrow, values.numbers, along, random);
   else
@@ -112,6 +123,16 @@ TEST(Weights, OthersAreRefused) {
   EXPECT_FALSE(decode_weights<std::int32_t>({}, 0, two, {}, out).ok());
   out.clear();
   EXPECT_TRUE(decode_weights<std::int32_t>({}, 0, two, {}, out).ok());
+  const Attribute three{"JOINTS_0", Domain::vertex, Scalar::uint8, 3, Bytes(6)},
+      floats{"JOINTS_0", Domain::vertex, Scalar::float32, 2, Bytes(16)},
+      short_ones{"JOINTS_0", Domain::vertex, Scalar::uint8, 2, Bytes(2)};
+  out.resize(4);
+  for (const Attribute* joints : {&three, &floats, &short_ones}) {
+    ValueSurface along;
+    along.joints = joints;
+    EXPECT_FALSE(decode_weights<std::int32_t>({}, 0, two, along, out).ok());
+  }
+  out.clear();
   const Bytes byte{std::byte(0)};
   EXPECT_FALSE(decode_weights<std::int32_t>(byte, 0, two, {}, out).ok());
 }
