@@ -158,7 +158,10 @@ std::vector<Brush> way_of(const std::vector<Brush>& balls, std::size_t most) {
 void measure(const Followed& mesh, const Criteria& criteria, AdaptedMesh& result) {
   const Surface& surface = mesh.surface();
   result.after = surface.characteristic();
-  for (const Vertex v : surface.vertices()) result.level = std::max(result.level, mesh.level(v));
+  for (const Vertex v : surface.vertices()) {
+    result.level = std::max(result.level, mesh.level(v));
+    if (!mesh[v].on_shape) ++result.off_shape;
+  }
   result.least_angle = surface.characteristic().f == 0 ? 0 : 60;
   for (const Face f : surface.faces()) {
     Triangle t;
@@ -167,7 +170,7 @@ void measure(const Followed& mesh, const Criteria& criteria, AdaptedMesh& result
       const Sample& corner = mesh[surface.org(half_edge(f, i))];
       t[i] = corner.at;
       normal += corner.normal;
-      result.error = std::max(result.error, criteria.off(half_edge(f, i)));
+      result.error = std::max(result.error, std::abs(criteria.off(half_edge(f, i))));
     }
     for (unsigned i = 0; i < 3; ++i) {
       const Vec3 next = t[(i + 1) % 3] - t[i], prev = t[(i + 2) % 3] - t[i];
@@ -298,6 +301,7 @@ std::string adapted_json(const std::string& name, const AdaptedMesh& r) {
       {"longest_edge", r.longest_edge},
       {"least_angle", r.least_angle},
       {"turned_faces", r.turned},
+      {"vertices_off_surface", r.off_shape},
       {"components", r.after.s},
       {"boundary_curves", r.after.b},
       {"genus", r.after.g},

@@ -132,12 +132,15 @@ class Coarsening {
       if (may_move_along(h)) candidates_.emplace_back(cost(h), h);
     std::sort(candidates_.begin(), candidates_.end());
     for (const Candidate& c : candidates_)
-      if (keeps_sides(c.second) && !refuse_collapse(surface_, c.second)) return c;
+      if (keeps_shapes(c.second) && !refuse_collapse(surface_, c.second)) return c;
     return std::nullopt;
   }
-  /// Does no face turn over, nor against the shape at a corner?
-  bool keeps_sides(HalfEdge h) const {
+  /// Does no face turn over, or against the shape at a corner, or become a sliver that none was?
+  bool keeps_shapes(HalfEdge h) const {
     const Vertex u = surface_.org(h), w = surface_.dest(h);
+    double worst = good;
+    for (const HalfEdge side : surface_.fan(u))
+      worst = std::min(worst, quality(at(u), at(surface_.dest(side)), at(surface_.dest(lnext(side)))));
     for (const HalfEdge side : surface_.fan(u)) {
       const Vertex b = surface_.dest(side), c = surface_.dest(lnext(side));
       if (b == w || c == w) continue;
@@ -145,12 +148,21 @@ class Coarsening {
       const Vec3 before = cross(at(b) - at(u), edge), after = cross(at(b) - at(w), edge);
       const double size = length(after);
       if (!(dot(before, after) > 0.2 * length(before) * size) && length(before) > 0) return false;
+      if (quality(at(w), at(b), at(c)) < worst) return false;
       for (const Vertex v : {w, b, c}) {
         const Vec3& normal = shape_.at(v).normal;
         if (squared(normal) > 0 && !(dot(after, normal) > 0.1 * size)) return false;
       }
     }
     return true;
+  }
+
+  /// Of a triangle as good as a base needs.
+  static constexpr double good = 0.4;
+  /// 1 of an equilateral triangle, 0 of one without area.
+  static double quality(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const double sides = squared(b - a) + squared(c - b) + squared(a - c);
+    return sides > 0 ? 2 * std::sqrt(3.) * length(cross(b - a, c - a)) / sides : 0;
   }
 
   Surface& surface_;

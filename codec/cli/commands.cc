@@ -254,6 +254,12 @@ Outcome<Done> adapt_one(const Options& options, Job& job, const Destination& to,
                            "follow it better",
                            grouped(done->turned), done->turned == 1 ? "face looks" : "faces look"),
                false);
+    if (done->off_shape != 0)
+      job.note(job.name(),
+               fmt::format("{} {} not on the surface: the base has edges across gaps",
+                           grouped(done->off_shape),
+                           done->off_shape == 1 ? "vertex is" : "vertices are"),
+               false);
     reports.push_back(adapted_json(job.name(), *done));
     mesh = std::move(done->mesh);
     return describe(*done);

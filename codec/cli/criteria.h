@@ -37,7 +37,8 @@ struct Wanted {
 /// is farthest from its aim goes first.
 ///
 /// Keeps for every half-edge how far the shape is from the middle of its edge: all edges of a block
-/// count, since a side can only be split after the block is.
+/// count, since a side can only be split after the block is. Where a split would put no vertex on
+/// the shape, errors ask for none.
 class Criteria {
  public:
   explicit Criteria(const Followed& mesh) : mesh_(mesh) {
@@ -47,7 +48,7 @@ class Criteria {
 
   void set(const Wanted& wanted) { wanted_ = wanted; }
 
-  /// How far the shape is from the middle of the edge.
+  /// How far the shape is from the middle of the edge; negative if a split does not help.
   double off(HalfEdge h) const { return off_[h.index()]; }
 
   /// Of a split edge.
@@ -76,7 +77,7 @@ class Criteria {
     for (const Vertex u : surface().adjacent_vertices(v)) around[count++] = place(u);
     const Vec3 &a = around[0], &b = around[2];
     for (const HalfEdge h : surface().fan(v)) block.error = std::max(block.error, off(lnext(h)));
-    block.error = std::max(block.error, length(place(v) - 0.5 * (a + b)));
+    block.error = std::max(block.error, off_of(mesh_[v]));
     block.add_edge(a, b);
     for (std::size_t i = 1; i < count; i += 2) {
       block.add_edge(a, around[i]);
@@ -101,8 +102,7 @@ class Criteria {
       take_over(lnext(side), changed);
       take_over(lprev(side), changed);
     }
-    const Vec3 middle = 0.5 * (place(surface().org(edge)) + place(surface().dest(edge)));
-    set_off(edge, length(place(simplified.gone) - middle));
+    set_off(edge, off_of(mesh_[simplified.gone]));
   }
 
  private:
@@ -136,12 +136,12 @@ class Criteria {
     return false;
   }
 
+  static double off_of(const Sample& s) { return s.on_shape ? s.distance : -s.distance; }
   void set_off(HalfEdge h, double off) {
     for (const HalfEdge side : surface().star(h)) off_[side.index()] = off;
   }
   void measure(HalfEdge h) {
-    const Vec3 middle = 0.5 * (place(surface().org(h)) + place(surface().dest(h)));
-    set_off(h, length(mesh_.sample(h).at - middle));
+    set_off(h, off_of(mesh_.sample(h)));
   }
   /// A side of what was changed, which has another id now: the side beyond knows what it was. Not
   /// on the boundary, nor where the block is glued to itself (`changed` says of which faces).

@@ -64,42 +64,53 @@ Sample Shape::sample(Face f, const std::array<double, 3>& weights, const Vec3& a
   return made;
 }
 
-std::optional<Nearest::Found> Shape::find(const Nearest& where, const Nearest::Query& query,
-                                          const Sample& a, const Sample& b,
-                                          const std::vector<std::uint32_t>& classes) const {
-  const Vec3 edge = b.at - a.at;
-  auto found = where(query, classes);
-  if (!found) return found;
-  const double share = dot(found->at - a.at, edge);
-  if (share >= 0.25 * squared(edge) && share <= 0.75 * squared(edge)) return found;
-  Nearest::Query halving = query;
-  halving.plane = edge;
-  if (const auto other = where(halving, classes)) return other;
-  return found;
-}
-
 Sample Shape::between(const Sample& a, const Sample& b, bool boundary) const {
+  const Nearest& where = boundary ? *rim_places_ : *faces_;
+  const auto& classes = boundary ? curves_ : components_;
+  const std::uint32_t of_class = boundary ? a.curve.index() : components_[a.face.index()];
+  const Vec3 edge = b.at - a.at, facing = boundary ? Vec3() : a.normal + b.normal;
   Nearest::Query query;
   query.p = 0.5 * (a.at + b.at);
-  if (boundary) {
-    const std::uint32_t curve = a.curve.index();
-    query.of_class = &curve;
-    const auto found = find(*rim_places_, query, a, b, curves_);
-    const HalfEdge h = rim_[found->triangle];
-    std::array<double, 3> weights{};
-    weights[corner(h)] = found->weights[0];
-    weights[(corner(h) + 1) % 3] = found->weights[1] + found->weights[2];
-    return sample(left(h), weights, found->at, a.curve);
+  query.of_class = &of_class;
+
+  const auto made = [&](const Nearest::Found& found) {
+    Sample q;
+    if (boundary) {
+      const HalfEdge h = rim_[found.triangle];
+      std::array<double, 3> weights{};
+      weights[corner(h)] = found.weights[0];
+      weights[(corner(h) + 1) % 3] = found.weights[1] + found.weights[2];
+      q = sample(left(h), weights, found.at, a.curve);
+    } else {
+      q = sample(Face(found.triangle), found.weights, found.at, {});
+    }
+    q.distance = std::sqrt(found.distance2);
+    return q;
+  };
+  // How far it may be, as a share of the edge: half of it if an end is on the shape; 0.6, and the
+  // parts are 0.78 of the edge if they are equal.
+  using Maybe = std::optional<Nearest::Found>;
+  const auto try_nearest = [&](const Vec3& direction) -> Maybe {
+    query.facing = direction, query.plane = {};
+    const Maybe found = where(query, classes);
+    if (!found || found->distance2 > 0.2501 * squared(edge)) return {};
+    const double share = dot(found->at - a.at, edge);
+    return share >= 0.25 * squared(edge) && share <= 0.75 * squared(edge) ? found : Maybe();
+  };
+  const auto try_halving = [&](const Vec3& direction) -> Maybe {
+    query.facing = direction, query.plane = edge;
+    const Maybe found = where(query, classes);
+    return found && found->distance2 <= 0.36 * squared(edge) ? found : Maybe();
+  };
+  for (const Vec3& direction : {facing, Vec3()}) {
+    if (const Maybe found = try_nearest(direction)) return made(*found);
+    if (const Maybe found = try_halving(direction)) return made(*found);
   }
-  const std::uint32_t component = components_[a.face.index()];
-  query.of_class = &component;
-  query.facing = a.normal + b.normal;
-  auto found = find(*faces_, query, a, b, components_);
-  if (!found) {
-    query.facing = {};
-    found = find(*faces_, query, a, b, components_);
-  }
-  return sample(Face(found->triangle), found->weights, found->at, {});
+  query.facing = query.plane = {};
+  Sample middle = made(*where(query, classes));  // there is one: the class is not empty
+  middle.at = query.p;
+  middle.on_shape = false;
+  return middle;
 }
 
 }  // namespace clers::cli

@@ -20,6 +20,8 @@ struct Sample {
   Face face;
   std::array<double, 3> weights{1, 0, 0};
   Curve curve;  ///< of the boundary that it is on; null inside
+  bool on_shape = true;
+  double distance = 0;  ///< of the shape from the middle of the edge that it was sampled for
 };
 
 /// A triangulated surface with the places of its vertices.
@@ -32,22 +34,20 @@ class Shape {
   const Sample& at(Vertex v) const { return corners_[v.index()]; }
   const std::array<Vertex, 3>& corners(Face f) const { return of_[f.index()]; }
 
-  /// What is put between two samples when the edge between them is split: the point of the shape
+  /// What is put between two samples when the edge between them is split: the point q of the shape
   /// nearest to the middle m of a-b, and of a split on the boundary that of the shape's boundary.
   ///
-  ///           q               The surface bulges out of a-b, and q is nearest to m. Where it does
-  ///        .-'''-.            not, as across a deep pocket, q may be a itself: so q must be over
-  ///      a----m----b          the middle half of a-b, or the nearest point as far from a as from b
-  ///                           is taken, which makes the two halves equal.
+  ///           q               So that no vertex jumps to another sheet, only that component, or
+  ///        .-'''-.            that boundary curve, is looked at, and of thin sheets the side that
+  ///      a----m----b          faces as a and b do.
   ///
-  /// So that no vertex jumps to another sheet, only that component, or that boundary curve, is
-  /// looked at, and of thin sheets the side that faces as a and b do; all sides if there is none.
+  /// Where that is over no middle part of a-b, as across a deep pocket, whose rim a is the nearest
+  /// itself, it is the nearest of those as far from a as from b; then of those that face anyhow.
+  /// All must be near enough to make the parts of a-b shorter than a-b, so that refinement ends.
+  /// Where nothing is, it is m, and not on the shape: a and b are on two sheets.
   Sample between(const Sample& a, const Sample& b, bool boundary) const;
 
  private:
-  std::optional<Nearest::Found> find(const Nearest& where, const Nearest::Query& query,
-                                     const Sample& a, const Sample& b,
-                                     const std::vector<std::uint32_t>& classes) const;
   Sample sample(Face f, const std::array<double, 3>& weights, const Vec3& at, Curve curve) const;
 
   std::vector<Sample> corners_;                // by vertex
