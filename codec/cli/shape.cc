@@ -87,20 +87,19 @@ Sample Shape::between(const Sample& a, const Sample& b, bool boundary) const {
     q.distance = std::sqrt(found.distance2);
     return q;
   };
-  // How far it may be, as a share of the edge: half of it if an end is on the shape; 0.6, and the
-  // parts are 0.78 of the edge if they are equal.
+  // As far as the ends are from the middle, at most; then the parts are shorter than the edge.
   using Maybe = std::optional<Nearest::Found>;
   const auto try_nearest = [&](const Vec3& direction) -> Maybe {
     query.facing = direction, query.plane = {};
     const Maybe found = where(query, classes);
-    if (!found || found->distance2 > 0.2501 * squared(edge)) return {};
+    if (!found || found->distance2 > 0.25001 * squared(edge)) return {};
     const double share = dot(found->at - a.at, edge);
     return share >= 0.25 * squared(edge) && share <= 0.75 * squared(edge) ? found : Maybe();
   };
   const auto try_halving = [&](const Vec3& direction) -> Maybe {
     query.facing = direction, query.plane = edge;
     const Maybe found = where(query, classes);
-    return found && found->distance2 <= 0.36 * squared(edge) ? found : Maybe();
+    return found && found->distance2 <= 0.25001 * squared(edge) ? found : Maybe();
   };
   for (const Vec3& direction : {facing, Vec3()}) {
     if (const Maybe found = try_nearest(direction)) return made(*found);
