@@ -105,7 +105,8 @@ struct Carried {
     for (const Attribute* a : attributes) {
       data.emplace_back(surface.vertex_limit() * a->stride());
       for (const Vertex v : surface.vertices())
-        put(*a, followed[v], shape, a == attributes[0], data.back().data() + v.index() * a->stride());
+        put(*a, followed[v], shape, a == attributes[0],
+            data.back().data() + v.index() * a->stride());
       views.push_back({a->name, a->domain, a->scalar, a->components, data.back(), 0, {}});
     }
     auto made = to_mesh(surface, views);
@@ -148,8 +149,7 @@ std::vector<Brush> way_of(const std::vector<Brush>& balls, std::size_t most) {
     if (!(steps < static_cast<double>(most - way.size()))) return {};
     for (double k = 1; k <= steps; ++k) {
       const double t = k / steps;
-      way.push_back({(1 - t) * from.centre + t * to.centre,
-                     (1 - t) * from.radius + t * to.radius});
+      way.push_back({(1 - t) * from.centre + t * to.centre, (1 - t) * from.radius + t * to.radius});
     }
   }
   return way;
@@ -289,24 +289,23 @@ std::string describe(const AdaptedMesh& r) {
 }
 
 std::string adapted_json(const std::string& name, const AdaptedMesh& r) {
-  const nlohmann::ordered_json json{
-      {"file", name},
-      {"triangles_before", r.before.f},
-      {"vertices_before", r.before.v},
-      {"base_triangles", r.base.f},
-      {"triangles", r.after.f},
-      {"vertices", r.after.v},
-      {"levels", r.level},
-      {"error", r.error},
-      {"longest_edge", r.longest_edge},
-      {"least_angle", r.least_angle},
-      {"turned_faces", r.turned},
-      {"vertices_off_surface", r.off_shape},
-      {"components", r.after.s},
-      {"boundary_curves", r.after.b},
-      {"genus", r.after.g},
-      {"limit_reached", r.limited},
-      {"frames", r.frames}};
+  const nlohmann::ordered_json json{{"file", name},
+                                    {"triangles_before", r.before.f},
+                                    {"vertices_before", r.before.v},
+                                    {"base_triangles", r.base.f},
+                                    {"triangles", r.after.f},
+                                    {"vertices", r.after.v},
+                                    {"levels", r.level},
+                                    {"error", r.error},
+                                    {"longest_edge", r.longest_edge},
+                                    {"least_angle", r.least_angle},
+                                    {"turned_faces", r.turned},
+                                    {"vertices_off_surface", r.off_shape},
+                                    {"components", r.after.s},
+                                    {"boundary_curves", r.after.b},
+                                    {"genus", r.after.g},
+                                    {"limit_reached", r.limited},
+                                    {"frames", r.frames}};
   return json.dump(2);
 }
 

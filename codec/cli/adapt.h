@@ -43,12 +43,12 @@ struct AdaptedMesh {
   Characteristic before, base, after;  ///< of triangles
   unsigned level = 0;                  ///< the greatest of a vertex
   double diagonal = 0;                 ///< of the bounding box of the input
-  double error = 0;         ///< the largest distance of the surface from the middle of an edge
-  double longest_edge = 0;  ///< and
-  double least_angle = 0;   ///< the smallest of a face, in degrees
+  double error = 0;           ///< the largest distance of the surface from the middle of an edge
+  double longest_edge = 0;    ///< and
+  double least_angle = 0;     ///< the smallest of a face, in degrees
   std::size_t turned = 0;     ///< faces that look the other way than the surface there
   std::size_t off_shape = 0;  ///< vertices that are not on the surface
-  bool limited = false;     ///< `faces` kept it from being all that was asked for
+  bool limited = false;       ///< `faces` kept it from being all that was asked for
   std::uint32_t frames = 0;
   std::vector<std::string> notes;  ///< what was not carried over
 };

@@ -140,7 +140,8 @@ class Coarsening {
     const Vertex u = surface_.org(h), w = surface_.dest(h);
     double worst = good;
     for (const HalfEdge side : surface_.fan(u))
-      worst = std::min(worst, quality(at(u), at(surface_.dest(side)), at(surface_.dest(lnext(side)))));
+      worst =
+          std::min(worst, quality(at(u), at(surface_.dest(side)), at(surface_.dest(lnext(side)))));
     for (const HalfEdge side : surface_.fan(u)) {
       const Vertex b = surface_.dest(side), c = surface_.dest(lnext(side));
       if (b == w || c == w) continue;
@@ -169,8 +170,8 @@ class Coarsening {
   const Shape& shape_;
   Vec3 origin_;  // near all planes
   std::vector<Quadric> quadrics_;
-  std::vector<double> cost_;    // by which a vertex waits
-  internal::Waiting waiting_;   // vertices
+  std::vector<double> cost_;   // by which a vertex waits
+  internal::Waiting waiting_;  // vertices
   std::vector<Candidate> candidates_;
 };
 

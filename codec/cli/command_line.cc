@@ -357,19 +357,19 @@ class CommandLine {
 
   void add_adapt() {
     Adaptation& how = options_.adaptation;
-    CLI::App& adapt = add(
-        "adapt", cli::adapt, "Triangulate surfaces anew, as finely as is asked for where",
-        "The surface of the input is kept; a mesh with coarse and fine parts follows it, by\n"
-        "splits of its edges. Faces are split where any of --level, --edge-length and\n"
-        "--error asks for it, those first that are farthest from it. LENGTH is in the units\n"
-        "of the file, or with % of the diagonal of its bounding box. Components, boundary\n"
-        "curves and handles stay. Quadrilaterals of a base are split as they are.\n\n"
-        "Examples:\n"
-        "  clers adapt bunny.ply -o light.ply --error 0.1%\n"
-        "  clers adapt bunny.ply -o light.ply --error 0.01% --max-faces 20000\n"
-        "  clers adapt bunny.ply -o eye.ply --near 0.1,0.2,0,0.05 --level 12\n"
-        "  clers adapt cage.obj -o finer.obj --base input --level 4\n"
-        "  clers adapt a.ply -o b.ply --near 0,0,0,1 --near 9,0,0,1 --level 9 --frames way");
+    CLI::App& adapt =
+        add("adapt", cli::adapt, "Triangulate surfaces anew, as finely as is asked for where",
+            "The surface of the input is kept; a mesh with coarse and fine parts follows it,\n"
+            "made by splits of its edges. Faces are split where any of --level, --edge-length\n"
+            "and --error asks for it, those first that are farthest from it. LENGTH is in the\n"
+            "units of the file, or with % of the diagonal of its bounding box. Components,\n"
+            "boundary curves and handles stay. Quadrilaterals are split as they are.\n\n"
+            "Examples:\n"
+            "  clers adapt bunny.ply -o light.ply --error 0.1%\n"
+            "  clers adapt bunny.ply -o light.ply --error 0.01% --max-faces 20000\n"
+            "  clers adapt bunny.ply -o eye.ply --near 0.1,0.2,0,0.05 --level 12\n"
+            "  clers adapt cage.obj -o finer.obj --base input --level 4\n"
+            "  clers adapt a.ply -o b.ply --near 0,0,0,1 --near 9,0,0,1 --level 9 --frames d");
     inputs(adapt, "mesh files: ply, obj, off, stl");
     output(adapt, "the mesh file, or a directory for several");
     adapt

@@ -283,14 +283,12 @@ Exit subdivide(const Options& options) {
 
 Exit adapt(const Options& options) {
   std::vector<std::string> reports;
-  const Exit exit = for_each_output(
-      options, suffix_if_known(options), adapt_plan,
-      [&](const Options& how, Job& job, const Destination& to) {
-        return adapt_one(how, job, to, reports);
-      });
+  const Exit exit = for_each_output(options, suffix_if_known(options), adapt_plan,
+                                    [&](const Options& how, Job& job, const Destination& to) {
+                                      return adapt_one(how, job, to, reports);
+                                    });
   if (!options.json || reports.empty()) return exit;
-  const auto printed =
-      print((reports.size() == 1 ? reports.front() : json_list(reports)) + "\n");
+  const auto printed = print((reports.size() == 1 ? reports.front() : json_list(reports)) + "\n");
   if (printed) return exit;
   complain(printed.error().line);
   return exit == Exit::done ? printed.error().exit : exit;

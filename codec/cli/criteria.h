@@ -140,9 +140,7 @@ class Criteria {
   void set_off(HalfEdge h, double off) {
     for (const HalfEdge side : surface().star(h)) off_[side.index()] = off;
   }
-  void measure(HalfEdge h) {
-    set_off(h, off_of(mesh_.sample(h)));
-  }
+  void measure(HalfEdge h) { set_off(h, off_of(mesh_.sample(h))); }
   /// A side of what was changed, which has another id now: the side beyond knows what it was. Not
   /// on the boundary, nor where the block is glued to itself (`changed` says of which faces).
   template <class Changed>

@@ -32,9 +32,9 @@ namespace CLERS_VISIBLE clers {
 /// `Value(const Value& a, const Value& b)`, or with these and whether the edge is on the boundary,
 /// `Value(const Value& a, const Value& b, bool boundary)`; or with the vertex's label (labels.h),
 /// `Value(const Label&)`; const, since it may be called to see where a sample would be. Of the
-/// first two kinds the vertex in the middle of a triangle of the base is sampled between a corner and a
-/// sample between the other two. The tests are callable with (mesh, HalfEdge) and (mesh, Vertex),
-/// mesh being this object; adapt.h says of what.
+/// first two kinds the vertex in the middle of a triangle of the base is sampled between a corner
+/// and a sample between the other two. The tests are callable with (mesh, HalfEdge) and (mesh,
+/// Vertex), mesh being this object; adapt.h says of what.
 ///
 /// Observers: as MultiTriangulation's, called when the new vertex has its value.
 template <class Value, class Sample>
@@ -179,8 +179,8 @@ class AdaptiveMesh {
       labels_->refined(surface(), refined);
       set(refined.made, sample_(labels_->of(*mesh_, refined.made)));
     } else {
-      set(refined.made, between((*this)[refined.a], (*this)[refined.b],
-                                surface().is_boundary(refined.made)));
+      set(refined.made,
+          between((*this)[refined.a], (*this)[refined.b], surface().is_boundary(refined.made)));
     }
   }
   void simplified(const Simplified& simplified) {
