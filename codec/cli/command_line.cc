@@ -5,7 +5,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <string_view>
 
@@ -15,6 +17,7 @@
 #include "codec/cli/precision.h"
 #include "codec/cli/printable.h"
 #include "codec/cli/words.h"
+#include "topology/modeling/multi_triangulation.h"
 #include <clers/version.h>
 
 namespace clers::cli {
@@ -25,6 +28,8 @@ constexpr char exit_statuses[] =
     "3 an input cannot be read or is not accepted; 4 a limit was hit; 5 writing\n"
     "failed; 6 verify could not decide.";
 
+constexpr unsigned most_levels = MultiTriangulation::max_level;
+
 /// What other programs call our commands.
 const std::map<std::string, std::string> other_names = {
     {"compress", "encode"},   {"pack", "encode"},       {"zip", "encode"},
@@ -32,7 +37,7 @@ const std::map<std::string, std::string> other_names = {
     {"extract", "decode"},    {"restore", "decode"},    {"list", "info"},
     {"show", "info"},         {"inspect", "info"},      {"stat", "info"},
     {"test", "verify"},       {"compare", "verify"},    {"diff", "verify"},
-    {"measure", "check"},     {"validate", "check"},    {"refine", "subdivide"}};
+    {"measure", "check"},     {"validate", "check"},    {"refine", "adapt"}};
 
 std::string in_quotes(const std::string& text) {
   return "'" + printable(text) + "'";
@@ -132,6 +137,7 @@ class CommandLine {
     add_verify();
     add_check();
     add_subdivide();
+    add_adapt();
     CLI::App* help = app_.add_subcommand("help", "Explain a command")->group("Commands");
     help->footer("Examples:\n  clers help encode");
     help->add_option("COMMAND", topic_, "what to explain; none: the program")->option_text(" ");
@@ -352,6 +358,81 @@ class CommandLine {
     quiet(subdivide);
   }
 
+  void add_adapt() {
+    Adaptation& how = options_.adaptation;
+    CLI::App& adapt =
+        add("adapt", cli::adapt, "Triangulate surfaces anew, as finely as is asked for where",
+            "The surface of the input is kept; a mesh with coarse and fine parts follows it,\n"
+            "made by splits of its edges. Faces are split where any of --level, --edge-length\n"
+            "and --error asks for it, those first that are farthest from it. LENGTH is in the\n"
+            "units of the file, or with % of the diagonal of its bounding box. Components,\n"
+            "boundary curves and handles stay. Quadrilaterals are split as they are.\n\n"
+            "Examples:\n"
+            "  clers adapt bunny.ply -o light.ply --error 0.1%\n"
+            "  clers adapt bunny.ply -o light.ply --error 0.01% --max-faces 20000\n"
+            "  clers adapt bunny.ply -o eye.ply --near 0.1,0.2,0,0.05 --level 12\n"
+            "  clers adapt cage.obj -o finer.obj --base input --level 4\n"
+            "  clers adapt a.ply -o b.ply --near 0,0,0,1 --near 9,0,0,1 --level 9 --frames d");
+    inputs(adapt, "mesh files: ply, obj, off, stl");
+    output(adapt, "the mesh file, or a directory for several");
+    adapt
+        .add_option(
+            "--level",
+            [&how](const CLI::results_t& values) {
+              if (!parse(values.back(), how.level.emplace()) || *how.level > most_levels)
+                refuse("--level", fmt::format("a number from 0 to {}", most_levels), values.back());
+              return true;
+            },
+            "split the faces of the base N times, which two by two halves their edges: near "
+            "what --near says, else everywhere")
+        ->option_text("N");
+    adapt
+        .add_option(
+            "--near",
+            [&how](const CLI::results_t& values) {
+              for (const std::string& value : values) how.near.push_back(parse_ball(value));
+              return true;
+            },
+            "where --level counts: in the ball around x, y, z of radius r; elsewhere it falls by "
+            "one from face to face. May be given several times")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->option_text("x,y,z,r");
+    extent(adapt, "--edge-length", how.edge_length, "split edges that are longer");
+    extent(adapt, "--error", how.error,
+           "split where the surface is farther than this from the middle of an edge");
+    number(adapt, "--max-faces", how.faces, 1u, max_faces,
+           "split no further than that; 10000000 is the default");
+    adapt
+        .add_option(
+            "--base",
+            [&how](const CLI::results_t& values) {
+              how.base.reset();
+              if (values.back() != "input" &&
+                  (!parse(values.back(), how.base.emplace()) || how.base == 0))
+                refuse("--base", "a number of faces or input", values.back());
+              return true;
+            },
+            "make an input of more than N faces coarser first, to N or so; input: it is the base "
+            "itself. 2000 is the default")
+        ->option_text("N|input");
+    adapt
+        .add_option_function<std::string>(
+            "--frames",
+            [this](const std::string& directory) {
+              options_.frames = directory;
+              options_.adaptation.frames = true;
+            },
+            "write a sequence, frame-0001 and so on: the mesh after each level; or, with --near "
+            "given more than once, as the ball goes from the first place to the last")
+        ->option_text("DIR");
+    json(adapt);
+    from(adapt);
+    to(adapt, "format of the output; default: by its name, else that of the input");
+    text(adapt);
+    force(adapt);
+    quiet(adapt);
+  }
+
   CLI::App& add(const char* name, Command command, const char* what, const std::string& footer) {
     CLI::App* sub = app_.add_subcommand(name, what)->group("Commands");
     sub->footer(footer);
@@ -493,6 +574,37 @@ class CommandLine {
                 ->option_text("N");
   }
 
+  /// What is no length throws.
+  static Brush parse_ball(const std::string& text) {
+    std::array<double, 4> numbers{};
+    std::string_view rest = text;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t comma = i < 3 ? std::min(rest.find(','), rest.size()) : rest.size();
+      if (!parse(rest.substr(0, comma), numbers[i]) || !(std::abs(numbers[i]) < 1e100))
+        refuse("--near", "four numbers x,y,z,r", text);
+      rest.remove_prefix(std::min(comma + 1, rest.size()));
+    }
+    if (!(numbers[3] > 0)) refuse("--near", "a radius above 0", text);
+    return {{numbers[0], numbers[1], numbers[2]}, numbers[3]};
+  }
+
+  void extent(CLI::App& sub, const char* name, std::optional<Extent>& target, const char* what) {
+    sub.add_option(
+           name,
+           [&target, name](const CLI::results_t& values) {
+             std::string_view text = values.back();
+             Extent& extent = target.emplace();
+             extent.of_diagonal = text.ends_with('%');
+             if (extent.of_diagonal) text.remove_suffix(1);
+             if (!parse(text, extent.value) || !(extent.value > 0 && extent.value < 1e100))
+               refuse(name, "a length above 0, such as 0.5 or 0.1%", values.back());
+             if (extent.of_diagonal) extent.value /= 100;
+             return true;
+           },
+           what)
+        ->option_text("LENGTH");
+  }
+
   static bool parse_pieces(const std::string& text, std::optional<std::uint32_t>& faces) {
     if (text == "never")
       faces = never_in_pieces;
@@ -597,8 +709,21 @@ class CommandLine {
       if (output && !options_.output)
         return fmt::format("{} is no input; did you mean -o {}?", printable(last), printable(last));
     }
+    if (command_ == static_cast<Command>(&cli::adapt))
+      if (const auto wrong = mistaken_adaptation()) return wrong;
     if (options_.piece && options_.remove_inputs)
       return "--rm and --piece: a piece is not all of its file";
+    return std::nullopt;
+  }
+
+  std::optional<std::string> mistaken_adaptation() const {
+    const Adaptation& how = options_.adaptation;
+    if (!how.near.empty() && !how.level) return "--near needs --level";
+    if (!how.level && !how.edge_length && !how.error)
+      return "--level, --edge-length or --error is required";
+    if (options_.frames && options_.inputs.size() > 1) return "--frames needs a single input";
+    if (options_.json && options_.output == "-")
+      return "--json and the mesh cannot both go to standard output";
     return std::nullopt;
   }
 

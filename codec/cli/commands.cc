@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include "codec/cli/each_input.h"
+#include "codec/cli/frames.h"
 #include "codec/cli/precision.h"
+#include "codec/cli/report.h"
 
 namespace clers::cli {
 namespace {
@@ -15,6 +17,8 @@ constexpr Stage decode_plan[] = {
     {"reading", 2}, {"decoding", 46}, {"writing", 36}, {"writing", 16}};
 constexpr Stage subdivide_plan[] = {
     {"reading", 1}, {"reading", 3}, {"subdividing", 78}, {"writing", 9}, {"writing", 9}};
+constexpr Stage adapt_plan[] = {
+    {"reading", 1}, {"reading", 3}, {"adapting", 94}, {"writing", 1}, {"writing", 1}};
 
 /// Writes meshes in a format and saves them, which are two stages.
 Outcome<Done> save_meshes(Job& job, const std::vector<Mesh>& meshes, io::Format format,
@@ -183,33 +187,87 @@ Outcome<Done> decode_one(const Options& options, Job& job, const Destination& to
   return save_scene(options, job, *scene, source.format, encoding, *output);
 }
 
-Outcome<Done> subdivide_one(const Options& options, Job& job, const Destination& to) {
+/// The meshes of a mesh file by others: `work(Mesh&, io::Format, io::Encoding)` makes the new one,
+/// and returns what is said of it.
+template <class Work>
+Outcome<Done> remake_one(const Options& options, Job& job, const Destination& to,
+                         const char* remade, Work work) {
   const auto from = job.mesh_format();
   if (!from) return Failure{from.error()};
   const auto named = format_of_output(options, to.given(job.input()));
   if (!named) return Failure{named.error()};
   const Format any = named->value_or(is_read_only(*from) ? io::Format::ply : *from);
   if (is_scene(*from) || is_scene(any))
-    return stop(Exit::usage, job.name() + ": a scene cannot be subdivided, only mesh files can");
+    return stop(Exit::usage,
+                fmt::format("{}: a scene cannot be {}, only mesh files can", job.name(), remade));
   const auto format = std::get<io::Format>(any);
   const io::Encoding encoding = encoding_of(format, options);
   const Outcome<std::string> output = to.of(job.input(), extension(format), encoding);
   if (!output) return Failure{output.error()};
   Outcome<SceneFile> file = job.read_scene();
   if (!file) return Failure{file.error()};
+  if (options.frames && file->scene.meshes.size() != 1)
+    return stop(Exit::usage, fmt::format("{}: has {} meshes, --frames needs one", job.name(),
+                                         file->scene.meshes.size()));
   job.note(job.name(), file->notes);
   job.progress().next();
   std::vector<std::string> results;
   for (Mesh& mesh : file->scene.meshes) {
+    const std::string name = mesh.name.empty() ? job.name() : mesh.name;
+    Outcome<std::string> done = work(mesh, format, encoding);
+    if (!done) return Failure{done.error()};
+    results.push_back(fmt::format("{}: {}", name, *done));
+  }
+  return save_meshes(job, file->scene.meshes, format, encoding, *output, results);
+}
+
+Outcome<Done> subdivide_one(const Options& options, Job& job, const Destination& to) {
+  const auto work = [&](Mesh& mesh, io::Format, io::Encoding) -> Outcome<std::string> {
     auto done =
         subdivide(mesh, options.subdivision, [&](double share) { job.progress().show(share); });
     if (!done) return stop(job.name(), done.error());
     for (const std::string& note : done->notes) job.note(job.name(), note, true);
-    results.push_back(fmt::format("{}: {}", mesh.name.empty() ? job.name() : mesh.name,
-                                  describe(options.subdivision, *done)));
     mesh = std::move(done->mesh);
-  }
-  return save_meshes(job, file->scene.meshes, format, encoding, *output, results);
+    return describe(options.subdivision, *done);
+  };
+  return remake_one(options, job, to, "subdivided", work);
+}
+
+/// `reports`: JSON, one of each mesh.
+Outcome<Done> adapt_one(const Options& options, Job& job, const Destination& to,
+                        std::vector<std::string>& reports) {
+  const auto work = [&](Mesh& mesh, io::Format format,
+                        io::Encoding encoding) -> Outcome<std::string> {
+    Frames frames(options, format, encoding);
+    if (auto ok = frames.open(); !ok) return Failure{ok.error()};
+    auto done = adapt(
+        mesh, options.adaptation, [&](double share) { job.progress().show(share); },
+        [&](const Mesh& frame) { return frames.add(frame); });
+    if (frames.failure()) return Failure{*frames.failure()};
+    if (!done) return stop(job.name(), done.error());
+    for (const std::string& note : done->notes) job.note(job.name(), note, true);
+    if (done->limited)
+      job.note(job.name(),
+               fmt::format("not all was refined: --max-faces {} allows no more",
+                           options.adaptation.faces),
+               false);
+    if (done->turned != 0)
+      job.note(job.name(),
+               fmt::format("{} {} the other way than the surface there: a base of more faces may "
+                           "follow it better",
+                           grouped(done->turned), done->turned == 1 ? "face looks" : "faces look"),
+               false);
+    if (done->off_shape != 0)
+      job.note(job.name(),
+               fmt::format("{} {} not on the surface: the base has edges across gaps",
+                           grouped(done->off_shape),
+                           done->off_shape == 1 ? "vertex is" : "vertices are"),
+               false);
+    reports.push_back(adapted_json(job.name(), *done));
+    mesh = std::move(done->mesh);
+    return describe(*done);
+  };
+  return remake_one(options, job, to, "adapted", work);
 }
 
 }  // namespace
@@ -224,6 +282,19 @@ Exit decode(const Options& options) {
 
 Exit subdivide(const Options& options) {
   return for_each_output(options, suffix_if_known(options), subdivide_plan, subdivide_one);
+}
+
+Exit adapt(const Options& options) {
+  std::vector<std::string> reports;
+  const Exit exit = for_each_output(options, suffix_if_known(options), adapt_plan,
+                                    [&](const Options& how, Job& job, const Destination& to) {
+                                      return adapt_one(how, job, to, reports);
+                                    });
+  if (!options.json || reports.empty()) return exit;
+  const auto printed = print((reports.size() == 1 ? reports.front() : json_list(reports)) + "\n");
+  if (printed) return exit;
+  complain(printed.error().line);
+  return exit == Exit::done ? printed.error().exit : exit;
 }
 
 }  // namespace clers::cli

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "codec/cli/adapt.h"
 #include "codec/cli/formats.h"
 #include "codec/cli/outcome.h"
 #include "codec/cli/subdivide.h"
@@ -16,7 +17,7 @@ namespace clers::cli {
 
 struct Options {
   std::vector<std::string> inputs;
-  std::optional<std::string> output;  ///< of encode, decode and subdivide; as Destination takes it
+  std::optional<std::string> output;  ///< of commands that write; as Destination takes it
   std::optional<Format> from;         ///< of mesh files read
   std::optional<Format> to;           ///< of mesh files written
   bool text = false;                  ///< text is written where the format offers both
@@ -27,6 +28,8 @@ struct Options {
   bool json = false;
   EncodeOptions encode;
   Subdivision subdivision;
+  Adaptation adaptation;
+  std::optional<std::string> frames;  ///< the directory that adapt writes a sequence into
   DecodeOptions decode;
   std::optional<std::size_t> piece;  ///< decode only this one
 };
@@ -38,6 +41,7 @@ Exit info(const Options& options);
 Exit verify(const Options& options);  ///< inputs: the original, the .clers file
 Exit check(const Options& options);
 Exit subdivide(const Options& options);
+Exit adapt(const Options& options);
 
 /// One line on stderr, after the program's name.
 void complain(const std::string& line);

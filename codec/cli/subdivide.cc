@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
-#include <limits>
 
+#include "codec/cli/vertex_values.h"
 #include "codec/surface.h"
 #include "topology/modeling/four_eight.h"
 #include "topology/modeling/loop.h"
@@ -16,30 +15,6 @@
 
 namespace clers::cli {
 namespace {
-
-double load(Scalar scalar, const std::byte* at) {
-  return with_type(scalar, [&](auto value) {
-    std::memcpy(&value, at, sizeof value);
-    return static_cast<double>(value);
-  });
-}
-
-void store(Scalar scalar, double x, std::byte* at) {
-  with_type(scalar, [&](auto value) {
-    using T = decltype(value);
-    if constexpr (std::is_integral_v<T>) {
-      // Weights are not all positive in every scheme to come: out of range is the end of it.
-      using Limits = std::numeric_limits<T>;
-      const double whole = std::round(x);
-      value = whole <= static_cast<double>(Limits::min())   ? Limits::min()
-              : whole >= static_cast<double>(Limits::max()) ? Limits::max()
-                                                            : static_cast<T>(whole);
-    } else {
-      value = static_cast<T>(x);
-    }
-    std::memcpy(at, &value, sizeof value);
-  });
-}
 
 /// The values of a vertex: all components of its attributes, one after the other.
 template <std::size_t n>

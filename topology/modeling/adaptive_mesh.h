@@ -29,11 +29,12 @@ namespace CLERS_VISIBLE clers {
 ///     }
 ///
 /// `Sample` is either callable with the values of the two ends of the edge that is split,
-/// `Value(const Value& a, const Value& b)`, or with the vertex's label (labels.h),
+/// `Value(const Value& a, const Value& b)`, or with these and whether the edge is on the boundary,
+/// `Value(const Value& a, const Value& b, bool boundary)`; or with the vertex's label (labels.h),
 /// `Value(const Label&)`; const, since it may be called to see where a sample would be. Of the
-/// first kind the vertex in the middle of a triangle of the base is sampled between a corner and a
-/// sample between the other two. The tests are callable with (mesh, HalfEdge) and (mesh, Vertex),
-/// mesh being this object; adapt.h says of what.
+/// first two kinds the vertex in the middle of a triangle of the base is sampled between a corner
+/// and a sample between the other two. The tests are callable with (mesh, HalfEdge) and (mesh,
+/// Vertex), mesh being this object; adapt.h says of what.
 ///
 /// Observers: as MultiTriangulation's, called when the new vertex has its value.
 ///
@@ -98,7 +99,7 @@ class AdaptiveMesh {
   /// What a sample between the ends of a split edge would be: for tests of how far the surface is
   /// from the mesh. Of a half-edge whose edge a split would halve.
   Value sample(HalfEdge h) const requires(!by_label) {
-    return sample_((*this)[surface().org(h)], (*this)[surface().dest(h)]);
+    return between((*this)[surface().org(h)], (*this)[surface().dest(h)], surface().is_boundary(h));
   }
 
   template <class Need, class Observer = NoObserver>
@@ -164,13 +165,19 @@ class AdaptiveMesh {
       if constexpr (by_label)
         return at(0);  // until the base is whole
       else if (mask.size() == 2)
-        return mesh.sample_(at(0), at(1));
+        return mesh.between(at(0), at(1), false);  // Program 5 splits no edge of the boundary
       else
-        return mesh.sample_(at(0), mesh.sample_(at(1), at(2)));
+        return mesh.between(at(0), mesh.between(at(1), at(2), false), false);
     }
     void set(Vertex v, Value value) { mesh.set(v, std::move(value)); }
   };
 
+  Value between(const Value& a, const Value& b, bool boundary) const {
+    if constexpr (std::is_invocable_v<const Sample&, const Value&, const Value&, bool>)
+      return sample_(a, b, boundary);
+    else
+      return sample_(a, b);
+  }
   void set(Vertex v, Value value) {
     if (v.index() < values_.size())
       values_[v.index()] = std::move(value);
@@ -189,7 +196,8 @@ class AdaptiveMesh {
     if constexpr (by_label)
       values_[v.index()] = sample_(labels_->of(*mesh_, v));
     else
-      values_[v.index()] = sample_((*this)[refined.a], (*this)[refined.b]);
+      values_[v.index()] =
+          between((*this)[refined.a], (*this)[refined.b], surface().is_boundary(v));
   }
   void simplified(const Simplified& simplified) {
     if constexpr (by_label) labels_->simplified(surface(), simplified);

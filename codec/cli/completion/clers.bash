@@ -8,14 +8,14 @@ _clers() {
     [[ ${words[i]} == -* ]] || { command=${words[i]} && break; }
   done
   if [[ -z $command ]]; then
-    COMPREPLY=($(compgen -W "encode decode info verify check subdivide help -h --help -V --version" -- "$cur"))
+    COMPREPLY=($(compgen -W "encode decode info verify check subdivide adapt help -h --help -V --version" -- "$cur"))
     return
   fi
 
   case $prev in
     --from) COMPREPLY=($(compgen -W "ply obj off stl glb gltf drc" -- "$cur")) && return ;;
     --to) COMPREPLY=($(compgen -W "ply obj off stl glb gltf" -- "$cur")) && return ;;
-    --level) COMPREPLY=($(compgen -W "1 2 3 4 5 6 7 8 9" -- "$cur")) && return ;;
+    --level) [[ $command == adapt ]] || COMPREPLY=($(compgen -W "1 2 3 4 5 6 7 8 9" -- "$cur")) && return ;;
     --order) COMPREPLY=($(compgen -W "free keep" -- "$cur")) && return ;;
     --positions)
       COMPREPLY=($(compgen -W "lossless q step error grid:" -- "$cur"))
@@ -25,7 +25,9 @@ _clers() {
     --on-nonmanifold | --on-degenerate | --on-duplicate)
       COMPREPLY=($(compgen -W "keep reject" -- "$cur")) && return ;;
     --scheme) COMPREPLY=($(compgen -W "sqrt3 loop 4-8" -- "$cur")) && return ;;
-    --piece | --attribute | --times | -T | --threads | --max-*) return ;;
+    --base) COMPREPLY=($(compgen -W "input" -- "$cur")) && return ;;
+    --frames) _filedir -d && return ;;
+    --piece | --attribute | --times | --near | --edge-length | --error | -T | --threads | --max-*) return ;;
     -o | --output) _filedir && return ;;
   esac
 
@@ -53,8 +55,12 @@ _clers() {
     subdivide)
       options="-h --help -o --output -c --stdout --scheme --times --from --to --text -f --force -q --quiet"
       files=$meshes ;;
+    adapt)
+      options="-h --help -o --output -c --stdout --level --near --edge-length --error --max-faces --base --frames
+        --json --from --to --text -f --force -q --quiet"
+      files=$meshes ;;
     help)
-      COMPREPLY=($(compgen -W "encode decode info verify check subdivide -h --help" -- "$cur"))
+      COMPREPLY=($(compgen -W "encode decode info verify check subdivide adapt -h --help" -- "$cur"))
       return ;;
     *) return ;;
   esac

@@ -1,0 +1,17 @@
+// Values of vertices of any type as numbers, for what averages them.
+#ifndef CLERS_CODEC_CLI_VERTEX_VALUES_H
+#define CLERS_CODEC_CLI_VERTEX_VALUES_H
+
+#include <cstddef>
+
+#include "codec/scalar.h"
+
+namespace clers::cli {
+
+double load(Scalar scalar, const std::byte* at);
+/// Rounded to what the type can hold: out of range is the end of it.
+void store(Scalar scalar, double x, std::byte* at);
+
+}  // namespace clers::cli
+
+#endif
