@@ -201,6 +201,21 @@ TEST(AdaptiveMesh, ObserversHearInOrder) {
   EXPECT_EQ(sides.values().size(), mesh.surface().half_edge_limit());
 }
 
+TEST(AdaptiveMesh, ReadsAgainAfterABaseThatItRefused) {
+  auto mesh = adaptive_mesh<std::string>(between);
+  const std::vector<std::string> names(8, "x");
+  PolygonSurface bad = cube();
+  bad.quads[3] = half_edge(Face(7), 0);
+  const auto refused = mesh.read(std::move(bad), names, equal_lengths);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error(), (Violation{Precondition::tri_quad, 21}));
+  for (int time = 0; time < 2; ++time) {
+    ASSERT_TRUE(mesh.read(cube(), names, equal_lengths));
+    EXPECT_EQ(mesh.values(), names);
+    EXPECT_EQ(mesh.adapt_refine(to_level(4)).refined, 90u);
+  }
+}
+
 /// A sample that throws leaves a valid mesh with a value for every vertex.
 TEST(AdaptiveMesh, SamplesMayThrow) {
   int left = 0;

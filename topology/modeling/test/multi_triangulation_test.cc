@@ -189,7 +189,9 @@ TEST(MultiTriangulation, AMillionCalls) {
 TEST(MultiTriangulation, NeedsATriQuadMesh) {
   Surface s = test::random_base({});
   ASSERT_TRUE(s.split(half_edge(Face(0), 0), Point()));
-  EXPECT_TRUE(MultiTriangulation::over(s));
+  auto mesh = MultiTriangulation::over(s);
+  ASSERT_TRUE(mesh);
+  EXPECT_EQ(dump(std::move(*mesh).release()), dump(s));
   s = test::glued(2, std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 4}});
   const auto refused = MultiTriangulation::over(s);
   ASSERT_FALSE(refused);
