@@ -37,6 +37,7 @@ namespace internal {
 /// An observer that counts what goes on beside another.
 template <class Observer>
 struct Counting {
+  static_assert(hears<Observer>);
   Adapted& done;
   Observer& next;
 

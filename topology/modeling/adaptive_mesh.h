@@ -127,6 +127,8 @@ class AdaptiveMesh {
   /// mesh() itself, DynamicAdaptation's among them.
   template <class Next>
   class Follow {
+    static_assert(internal::hears<Next>);
+
    public:
     Follow(AdaptiveMesh& mesh, Next& next) : mesh_(mesh), next_(next) {}
 

@@ -240,8 +240,8 @@ class DynamicAdaptation {
   template <class Observer, class Note>
   struct Both : internal::Counting<Observer> {
     Note& note;
-    Both(Adapted& adapted, Observer& observer, Note& n)
-        : internal::Counting<Observer>{adapted, observer}, note(n) {}
+    Both(Adapted& count, Observer& observer, Note& n)
+        : internal::Counting<Observer>{count, observer}, note(n) {}
     using internal::Counting<Observer>::operator();
     void operator()(const Refined& refined) {
       internal::Counting<Observer>::operator()(refined);

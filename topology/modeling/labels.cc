@@ -45,7 +45,7 @@ Label Labels::of_corner(const MultiTriangulation& mesh, Face f, unsigned c) cons
                                 ? std::array<Place, 3>{{{0, 0}, {one, 0}, {0, one}}}
                                 : std::array<Place, 3>{{{one, one}, {0, one}, {one, 0}}};
   const std::uint64_t path = part.path();
-  for (unsigned bit = static_cast<unsigned>(std::bit_width(path)) - 1; bit-- > 0;) {
+  for (int bit = static_cast<int>(std::bit_width(path)) - 2; bit >= 0; --bit) {
     const Place middle = between(at[1], at[2]);
     at = (path >> bit & 1) == 0 ? std::array<Place, 3>{middle, at[0], at[1]}
                                 : std::array<Place, 3>{middle, at[2], at[0]};

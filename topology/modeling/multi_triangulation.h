@@ -28,6 +28,15 @@ struct Simplified {
   HalfEdge edge;
 };
 
+namespace internal {
+/// Is it NoObserver, or callable with something of what refine and simplify tell?
+template <class Observer>
+inline constexpr bool hears =
+    !observes<Observer> || std::is_invocable_v<Observer&, const Change&> ||
+    std::is_invocable_v<Observer&, const Refined&> ||
+    std::is_invocable_v<Observer&, const Simplified&>;
+}  // namespace internal
+
 /// A surface whose faces come in blocks of two, each with a split edge between them (four_eight.h):
 ///
 ///          c                       c           refine: the split edge gets a vertex v, one level
@@ -160,9 +169,7 @@ Vertex MultiTriangulation::split(HalfEdge h, Observer&& observer) {
 
 template <class Observer>
 Result<Vertex, Violation> MultiTriangulation::refine(HalfEdge h, Observer&& observer) {
-  static_assert(!observes<Observer> || std::is_invocable_v<Observer&, const Change&> ||
-                std::is_invocable_v<Observer&, const Refined&> ||
-                std::is_invocable_v<Observer&, const Simplified&>);
+  static_assert(internal::hears<Observer>);
   if (const auto why = refuse_refine(h)) return Failure{*why};
   // Edges that wait for the next; the faces between them are a level coarser each time.
   std::array<HalfEdge, max_level + 2> waiting;
@@ -189,9 +196,7 @@ Result<Vertex, Violation> MultiTriangulation::refine(HalfEdge h, Observer&& obse
 
 template <class Observer>
 Result<HalfEdge, Violation> MultiTriangulation::simplify(Vertex v, Observer&& observer) {
-  static_assert(!observes<Observer> || std::is_invocable_v<Observer&, const Change&> ||
-                std::is_invocable_v<Observer&, const Refined&> ||
-                std::is_invocable_v<Observer&, const Simplified&>);
+  static_assert(internal::hears<Observer>);
   if (const auto why = refuse_simplify(v)) return Failure{*why};
   std::array<Vertex, max_level + 1> waiting;
   std::size_t count = 0;

@@ -124,7 +124,7 @@ TEST(AdaptiveMesh, SamplesByLabel) {
     const Vertex v(static_cast<std::uint32_t>(random()) % mesh.surface().vertex_limit());
     if (random() % 16 != 0 && mesh.surface().is_live(h) && mesh.level(h) < 15)
       (void)mesh.mesh().refine(h, observer);
-    else if (mesh.surface().is_live(v))
+    else if (mesh.surface().is_live(v) && mesh.level(v) > 3)
       (void)mesh.mesh().simplify(v, observer);
   }
   std::map<Place, Vertex> at;
@@ -199,6 +199,21 @@ TEST(AdaptiveMesh, ObserversHearInOrder) {
   EXPECT_EQ(parts.size(), 12u);
   for (const auto& [face, count] : parts) EXPECT_EQ(count, 32) << face;
   EXPECT_EQ(sides.values().size(), mesh.surface().half_edge_limit());
+}
+
+TEST(AdaptiveMesh, ReadsAgainAfterABaseThatItRefused) {
+  auto mesh = adaptive_mesh<std::string>(between);
+  const std::vector<std::string> names(8, "x");
+  PolygonSurface bad = cube();
+  bad.quads[3] = half_edge(Face(7), 0);
+  const auto refused = mesh.read(std::move(bad), names, equal_lengths);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error(), (Violation{Precondition::tri_quad, 21}));
+  for (int time = 0; time < 2; ++time) {
+    ASSERT_TRUE(mesh.read(cube(), names, equal_lengths));
+    EXPECT_EQ(mesh.values(), names);
+    EXPECT_EQ(mesh.adapt_refine(to_level(4)).refined, 90u);
+  }
 }
 
 /// A sample that throws leaves a valid mesh with a value for every vertex.

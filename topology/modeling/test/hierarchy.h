@@ -31,7 +31,7 @@ struct SpotHash {
       h = (h + part) * 0x9e3779b97f4a7c15u;
       h ^= h >> 29;
     }
-    return h;
+    return static_cast<std::size_t>(h);
   }
 };
 

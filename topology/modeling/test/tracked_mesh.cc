@@ -172,6 +172,9 @@ std::string TrackedMesh::check() const {
     if (label.level != mesh_.level(v)) return "a label of another level";
     if (!level && spot.kind != Spot::vertex) return "a vertex that is not there";
     spot_of[v.index()] = spot;
+    if (mesh_.can_weld(v))
+      for (const HalfEdge h : surface().fan(v))
+        if (corner(h) != 0) return "a vertex to weld that is not the newest";
   }
   std::set<std::uint32_t> leaves;
   for (const Face f : surface().faces()) {
