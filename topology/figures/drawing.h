@@ -55,12 +55,13 @@ std::string edge_collapse();
 std::string sqrt3_rules();
 // edgebreaker_figure.cc,
 std::string moves_of_edgebreaker();
-// adaptive_figures.cc,
+// block_figures.cc,
 std::string interleaved_refinement();
-std::string dependencies_in_refinement();
-std::string dependencies_in_simplification();
 std::string numbering();
 std::string weld_by_star();
+// dependency_figures.cc,
+std::string dependencies_in_refinement();
+std::string dependencies_in_simplification();
 std::string dependencies();
 // shaded_figures.cc.
 std::string deforming_sphere();

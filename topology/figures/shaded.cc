@@ -32,7 +32,7 @@ constexpr unsigned shades = 18;
 /// The dark and the light end of each tone.
 constexpr std::array<std::array<Vector, 2>, 2> tones{{
     {{{104, 126, 146}, {246, 250, 253}}},
-    {{{186, 108, 84}, {255, 238, 224}}},
+    {{{168, 112, 92}, {255, 236, 222}}},
 }};
 
 std::int64_t rounded(double x) {

@@ -72,10 +72,10 @@ std::string deforming_sphere() {
 /// The surface is fine within a ball, the brush, which moves along a path; elsewhere it is the
 /// base.
 std::string brush_of_resolution() {
-  constexpr unsigned fine = 8, coarse = 1;
-  constexpr double radius = 0.34;
+  constexpr unsigned fine = 7, coarse = 1;
+  constexpr double radius = 0.36;
   constexpr std::array<Vector, 3> path{
-      {{0.90, -0.20, 1.35}, {0.32, -0.28, 1.95}, {-0.45, -0.45, 0.65}}};
+      {{0.88, -0.16, 1.27}, {0.31, -0.29, 1.98}, {-0.50, -0.50, 0.62}}};
   AdaptiveMesh<Vector, Rabbit> rabbit{Rabbit{}};
   const Rabbit::Cubes cubes = Rabbit::cubes();
   const std::vector<std::uint32_t> sizes(cubes.quads.size() / 4, 4);
@@ -110,9 +110,12 @@ std::string brush_of_resolution() {
     }
     const Surface& surface = rabbit.surface();
     must(validate(surface).empty() && surface.genus() == 0, "a rabbit");
+    for (const Vertex v : surface.vertices())
+      must(length(rabbit[v] - brush) < 1 || rabbit.level(v) <= coarse, "the base elsewhere");
     const auto at = [&](Vertex v) { return rabbit[v]; };
+    const auto tone = [&](Face f) { return rabbit.mesh().level(f) >= fine ? 1u : 0u; };
     const Camera camera({0.75, -1.4, 0.45}, {0, 0, 1}, {0, 0, 1.1}, 122, 8);
-    figure.panel(shaded(surface, camera, at) + ring(camera, brush, radius),
+    figure.panel(shaded(surface, camera, at, tone) + ring(camera, brush, radius),
                  std::to_string(surface.characteristic().f) + " faces");
   }
   return figure.svg();
@@ -180,8 +183,10 @@ std::string torus_by_label() {
   }
   Figure figure(1, 440, 330);
   const auto at = [&](Vertex v) { return torus[v].at; };
-  const Camera camera({0.2, -1, 0.95}, {0, 0, 1}, {0, 0, 0}, 138, 7);
-  figure.panel(shaded(surface, camera, at), std::to_string(surface.characteristic().f) + " faces");
+  const auto tone = [&](Face f) { return torus.mesh().level(f) >= fine ? 1u : 0u; };
+  const Camera camera({0.2, -1, 0.95}, {0, 0, 1}, {0, 0, 0}, 130, 7);
+  figure.panel(shaded(surface, camera, at, tone),
+               std::to_string(surface.characteristic().f) + " faces");
   return figure.svg();
 }
 
