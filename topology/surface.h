@@ -60,6 +60,10 @@ struct Compressed {
 /// Ids of faces, vertices, curves and components are reused, the last one freed first. An operator
 /// keeps every id that its documentation does not mention, and always the order of corners.
 ///
+/// Memory: 28 bytes for each face, 16 for each vertex and 24 for each edge of the boundary, so 36 a
+/// face of a large closed surface; twice that at most while it grows. Operators that have to search
+/// keep 4 bytes for each face of the component they searched.
+///
 /// For values by vertex, face or half-edge that follow the operators see element_data.h.
 ///
 /// Queries need live arguments (`is_live`); operators check theirs and refuse with a Violation.
