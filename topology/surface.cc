@@ -5,16 +5,14 @@ namespace CLERS_VISIBLE clers {
 
 using internal::reserve_more;
 
-void Surface::reserve_faces(std::uint32_t count) {
-  const std::uint32_t growth = faces_.growth(count);
-  reserve_more(org_, 3 * std::size_t{growth});
-  reserve_more(twin_, 3 * std::size_t{growth});
+void Surface::grow_faces(std::size_t growth) {
+  reserve_more(org_, 3 * growth);
+  reserve_more(twin_, 3 * growth);
   reserve_more(component_, growth);
   if (data_.any()) reserve_face_data();
 }
 
-void Surface::reserve_vertices(std::uint32_t count) {
-  const std::uint32_t growth = vertices_.growth(count);
+void Surface::grow_vertices(std::size_t growth) {
   reserve_more(star_, growth);
   reserve_more(corners_, growth);
   reserve_more(point_, growth);
@@ -43,32 +41,6 @@ void Surface::reserve_search(Component k) {
 
 void Surface::reserve_components(std::uint32_t count) {
   reserve_more(counts_, components_.growth(count));
-}
-
-Face Surface::new_face(Face of) {
-  const Face f = faces_.take();
-  if (f.index() == component_.size()) {
-    org_.resize(org_.size() + 3);
-    twin_.resize(twin_.size() + 3);
-    component_.emplace_back();
-  }
-  if (data_.any()) make_data(f, of);
-  return f;
-}
-
-Vertex Surface::new_vertex(HalfEdge star, std::uint32_t corners, Point p, Vertex of) {
-  const Vertex v = vertices_.take();
-  if (v.index() == star_.size()) {
-    star_.emplace_back();
-    corners_.emplace_back();
-    point_.emplace_back();
-    node_.emplace_back();
-  }
-  if (data_.any()) make_data(v, of);
-  star_[v.index()] = star;
-  corners_[v.index()] = corners;
-  point_[v.index()] = p;
-  return v;
 }
 
 Component Surface::new_component() {

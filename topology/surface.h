@@ -60,6 +60,10 @@ struct Compressed {
 /// Ids of faces, vertices, curves and components are reused, the last one freed first. An operator
 /// keeps every id that its documentation does not mention, and always the order of corners.
 ///
+/// Memory: 28 bytes for each face, 16 for each vertex and 24 for each edge of the boundary, so 36 a
+/// face of a large closed surface; twice that at most while it grows. Operators that have to search
+/// keep 4 bytes for each face of the component they searched.
+///
 /// For values by vertex, face or half-edge that follow the operators see element_data.h.
 ///
 /// Queries need live arguments (`is_live`); operators check theirs and refuse with a Violation.
@@ -418,8 +422,24 @@ class Surface {
 
   // Room for so many new ones, so that nothing fails half-way. An operator that frees some asks
   // their pools for room, too.
-  void reserve_faces(std::uint32_t count);
-  void reserve_vertices(std::uint32_t count);
+  void reserve_faces(std::uint32_t count) {
+    const std::size_t growth = faces_.growth(count);
+    if (room(org_) < 3 * growth || room(twin_) < 3 * growth || room(component_) < growth ||
+        data_.any())
+      grow_faces(growth);
+  }
+  void reserve_vertices(std::uint32_t count) {
+    const std::size_t growth = vertices_.growth(count);
+    if (room(star_) < growth || room(corners_) < growth || room(point_) < growth ||
+        room(node_) < growth || data_.any())
+      grow_vertices(growth);
+  }
+  template <class T>
+  static std::size_t room(const std::vector<T>& v) {
+    return v.capacity() - v.size();
+  }
+  void grow_faces(std::size_t growth);
+  void grow_vertices(std::size_t growth);
   void room_to_weld();
   void reserve_curves(std::uint32_t count);
   void reserve_nodes(std::uint32_t count) { rings_.reserve(count); }
@@ -427,8 +447,29 @@ class Surface {
   void reserve_components(std::uint32_t count);
 
   // In containers the new element gets the values of `of`, if not null.
-  Face new_face(Face of = {});
-  Vertex new_vertex(HalfEdge star, std::uint32_t corners, Point p, Vertex of = {});
+  Face new_face(Face of = {}) {
+    const Face f = faces_.take();
+    if (f.index() == component_.size()) {
+      for (unsigned i = 0; i < 3; ++i) org_.emplace_back(), twin_.emplace_back();
+      component_.emplace_back();
+    }
+    if (data_.any()) make_data(f, of);
+    return f;
+  }
+  Vertex new_vertex(HalfEdge star, std::uint32_t corners, Point p, Vertex of = {}) {
+    const Vertex v = vertices_.take();
+    if (v.index() == star_.size()) {
+      star_.emplace_back();
+      corners_.emplace_back();
+      point_.emplace_back();
+      node_.emplace_back();
+    }
+    if (data_.any()) make_data(v, of);
+    star_[v.index()] = star;
+    corners_[v.index()] = corners;
+    point_[v.index()] = p;
+    return v;
+  }
   void new_curve(internal::RingNode tree) { name_curve(tree, curves_.take()); }
   Component new_component();
   // Containers; each after data_.any(), so that an operator without them does not pay

@@ -15,9 +15,11 @@ namespace {
 
 long remaining = -1;  // allocations that still succeed; negative: all do
 long made = 0;
+std::size_t bytes = 0;
 
 void* allocate(std::size_t size) {
   ++made;
+  bytes += size;
   if (remaining == 0) throw std::bad_alloc();
   if (remaining > 0) --remaining;
   void* p = std::malloc(size == 0 ? 1 : size);
@@ -143,6 +145,19 @@ TEST(Memory, OperatorsFailWithoutAChangeWhereContainersFollow) {
     EXPECT_EQ(data[Vertex(3)], 4);
     EXPECT_EQ(data.values().size(), failed ? s.vertex_limit() : s.vertex_limit() + 1);
     EXPECT_EQ(data.values().size(), x.vertex_limit());
+  }
+}
+
+TEST(Memory, NodesOfCurvesAreThereForTheBoundaryAlone) {
+  for (const Surface& s : {test::torus(40, 40), test::grid(40, 40)}) {
+    const Characteristic& c = s.characteristic();
+    const std::int64_t boundary_edges = 2 * c.e - 3 * c.f;
+    const std::size_t before = bytes;
+    const Surface copy = s;
+    // As surface.h says, and some for a curve and a component.
+    EXPECT_LE(bytes - before,
+              static_cast<std::size_t>(28 * c.f + 16 * c.v + 24 * boundary_edges + 200));
+    EXPECT_EQ(copy.face_limit(), s.face_limit());
   }
 }
 
