@@ -1,5 +1,5 @@
 // Cyclic sequences of boundary vertices, cut and joined in logarithmic time.
-// Internal: installed because surface.n needs it, no part of the API.
+// Internal: installed because surface.h needs it, no part of the API.
 //
 // A boundary curve is a ring. The paper decides which curve an edge is on by union-find (§6.2), but
 // glue of type 1b and its like split curves, which union-find cannot. A balanced tree can: a ring
@@ -25,8 +25,8 @@ using RingNode = Id<struct RingNodeTag>;
 
 /// A forest of treaps over boundary vertices. A tree is named by its root; the null id is the empty
 /// tree. Trees of n nodes cost O(log n) expected for each operation that does not say otherwise;
-/// none allocates but `reserve` and
-/// `room_to_free`. Everything is iterative: a degenerate shape costs time, not stack.
+/// none allocates but `reserve` and `room_to_free`. Everything is iterative: a degenerate shape
+/// costs time, not stack.
 class Rings {
  public:
   struct Node {
