@@ -117,11 +117,11 @@ inline bool needs_position(const AttributeHeader& header) {
   return header.coder == Coder::charts || header.coder == Coder::normals;
 }
 
-/// What the attribute is called whose values weights of this name are those of: "" if none is.
-inline std::string joints_name(std::string_view weights) {
-  constexpr std::string_view begin = "WEIGHTS_";
-  if (weights.substr(0, begin.size()) != begin) return {};
-  return "JOINTS_" + std::string(weights.substr(begin.size()));
+/// Whether an attribute of the first name has the joints that one of the second has the weights of.
+inline bool are_joints_of(std::string_view joints, std::string_view weights) {
+  constexpr std::string_view begin = "JOINTS_", other = "WEIGHTS_";
+  return joints.substr(0, begin.size()) == begin && weights.substr(0, other.size()) == other &&
+         joints.substr(begin.size()) == weights.substr(other.size());
 }
 /// Whether values are weights of joints, which must be decoded before.
 inline bool needs_joints(const AttributeHeader& header) {
@@ -131,7 +131,7 @@ inline bool needs_joints(const AttributeHeader& header) {
 inline bool may_be_joints_of(const AttributeHeader& joints, const AttributeHeader& weights) {
   return joints.attribute.domain == Domain::vertex && !joints.structure.any &&
          joints.structure.at_places == weights.structure.at_places &&
-         joints.attribute.name == joints_name(weights.attribute.name);
+         are_joints_of(joints.attribute.name, weights.attribute.name);
 }
 
 /// What a report says of it, by the header alone.

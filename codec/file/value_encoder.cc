@@ -46,7 +46,7 @@ std::optional<Attribute> joints_in_coded_order(const CodedMesh& mesh, std::strin
   const AttributeViews& attributes = mesh.mesh.attributes;
   for (std::size_t i = 0; i < attributes.size(); ++i) {
     const AttributeView a = attributes[i];
-    if (a.domain != Domain::vertex || a.name != joints_name(weights)) continue;
+    if (a.domain != Domain::vertex || !are_joints_of(a.name, weights)) continue;
     if (may_have_structure(a) || (!plans.empty() && !plans[i].systems.empty())) return {};
     Attribute joints = in_coded_order(a, mesh);
     const bool welded =
