@@ -116,11 +116,9 @@ Nearest::Nearest(std::span<const Triangle> triangles)
 Nearest::Nearest(Nearest&&) noexcept = default;
 Nearest::~Nearest() = default;
 
-std::optional<Nearest::Found> Nearest::operator()(const Query& query,
-                                                  std::span<const std::uint32_t> classes) const {
+std::optional<Nearest::Found> Nearest::operator()(const Query& query) const {
   const bool any_side = squared(query.facing) == 0, anywhere = squared(query.plane) == 0;
   const auto candidate = [&](const Entry& entry) {
-    if (query.of_class != nullptr && classes[entry.second] != *query.of_class) return false;
     const Triangle& t = triangles_[entry.second];
     return any_side || dot(cross(t[1] - t[0], t[2] - t[0]), query.facing) > 0;
   };

@@ -51,15 +51,10 @@ class Nearest {
     Vec3 facing = {};
     /// Only of the plane through p with this normal; null: of all of space.
     Vec3 plane = {};
-    /// Only of triangles that are in this class (`classes`), if it is not null.
-    const std::uint32_t* of_class = nullptr;
   };
-  /// The nearest, that of the lowest triangle if several are; none if there is none such.
-  /// `classes`: one number a triangle, looked at where the query has a class. Cost: about O(log n).
-  std::optional<Found> operator()(const Query& query,
-                                  std::span<const std::uint32_t> classes = {}) const;
-
-  const Triangle& triangle(std::uint32_t i) const { return triangles_[i]; }
+  /// The nearest, that of the lowest triangle if several are; none if there is none such. Cost:
+  /// about O(log n).
+  std::optional<Found> operator()(const Query& query) const;
 
  private:
   struct Tree;

@@ -16,16 +16,23 @@ double angle(const Vec3& a, const Vec3& b) {
 Shape::Shape(const Surface& surface, const std::vector<Vec3>& at)
     : corners_(surface.vertex_limit()),
       of_(surface.face_limit()),
-      components_(surface.face_limit()) {
-  std::vector<Triangle> triangles(surface.face_limit());
+      component_(surface.face_limit()) {
+  std::vector<std::vector<Triangle>> triangles;  // by component
   for (const Face f : surface.faces()) {
-    Triangle& t = triangles[f.index()];
+    Triangle t;
     for (unsigned i = 0; i < 3; ++i) {
       const Vertex v = surface.org(half_edge(f, i));
       of_[f.index()][i] = v;
       t[i] = at[v.index()];
     }
-    components_[f.index()] = surface.component(f).index();
+    const std::size_t component = surface.component(f).index();
+    component_[f.index()] = surface.component(f);
+    if (component >= triangles.size()) {
+      triangles.resize(component + 1);
+      components_.resize(component + 1);
+    }
+    triangles[component].push_back(t);
+    components_[component].of.push_back(half_edge(f, 0));
     // Weighted by angles: how a corner is cut into triangles makes no difference.
     const Vec3 normal = unit(cross(t[1] - t[0], t[2] - t[0]));
     for (unsigned i = 0; i < 3; ++i) {
@@ -43,16 +50,19 @@ Shape::Shape(const Surface& surface, const std::vector<Vec3>& at)
     sample.weights[corner(h)] = 1;
     if (surface.is_boundary(v)) sample.curve = surface.curve(h);
   }
-  faces_.emplace(triangles);
-  triangles.clear();
-  for (const Curve c : surface.curves())
+  for (std::size_t k = 0; k < triangles.size(); ++k) components_[k].nearest.emplace(triangles[k]);
+  std::vector<Triangle> segments;
+  for (const Curve c : surface.curves()) {
+    curves_.resize(c.index() + std::size_t{1});
+    Part& part = curves_.back();
+    segments.clear();
     for (const HalfEdge h : surface.boundary(c)) {
       const Vec3 &a = at[surface.org(h).index()], &b = at[surface.dest(h).index()];
-      rim_.push_back(h);
-      curves_.push_back(c.index());
-      triangles.push_back({a, b, b});
+      part.of.push_back(h);
+      segments.push_back({a, b, b});
     }
-  rim_places_.emplace(triangles);
+    part.nearest.emplace(segments);
+  }
 }
 
 Sample Shape::sample(Face f, const std::array<double, 3>& weights, const Vec3& at,
@@ -65,24 +75,22 @@ Sample Shape::sample(Face f, const std::array<double, 3>& weights, const Vec3& a
 }
 
 Sample Shape::between(const Sample& a, const Sample& b, bool boundary) const {
-  const Nearest& where = boundary ? *rim_places_ : *faces_;
-  const auto& classes = boundary ? curves_ : components_;
-  const std::uint32_t of_class = boundary ? a.curve.index() : components_[a.face.index()];
+  const Part& part =
+      boundary ? curves_[a.curve.index()] : components_[component_[a.face.index()].index()];
   const Vec3 edge = b.at - a.at, facing = boundary ? Vec3() : a.normal + b.normal;
   Nearest::Query query;
   query.p = 0.5 * (a.at + b.at);
-  query.of_class = &of_class;
 
   const auto made = [&](const Nearest::Found& found) {
     Sample q;
+    const HalfEdge h = part.of[found.triangle];
     if (boundary) {
-      const HalfEdge h = rim_[found.triangle];
       std::array<double, 3> weights{};
       weights[corner(h)] = found.weights[0];
       weights[(corner(h) + 1) % 3] = found.weights[1] + found.weights[2];
       q = sample(left(h), weights, found.at, a.curve);
     } else {
-      q = sample(Face(found.triangle), found.weights, found.at, {});
+      q = sample(left(h), found.weights, found.at, {});
     }
     q.distance = std::sqrt(found.distance2);
     return q;
@@ -91,14 +99,14 @@ Sample Shape::between(const Sample& a, const Sample& b, bool boundary) const {
   using Maybe = std::optional<Nearest::Found>;
   const auto try_nearest = [&](const Vec3& direction) -> Maybe {
     query.facing = direction, query.plane = {};
-    const Maybe found = where(query, classes);
+    const Maybe found = (*part.nearest)(query);
     if (!found || found->distance2 > 0.25001 * squared(edge)) return {};
     const double share = dot(found->at - a.at, edge);
     return share >= 0.25 * squared(edge) && share <= 0.75 * squared(edge) ? found : Maybe();
   };
   const auto try_halving = [&](const Vec3& direction) -> Maybe {
     query.facing = direction, query.plane = edge;
-    const Maybe found = where(query, classes);
+    const Maybe found = (*part.nearest)(query);
     return found && found->distance2 <= 0.25001 * squared(edge) ? found : Maybe();
   };
   for (const Vec3& direction : {facing, Vec3()}) {
@@ -106,7 +114,7 @@ Sample Shape::between(const Sample& a, const Sample& b, bool boundary) const {
     if (const Maybe found = try_halving(direction)) return made(*found);
   }
   query.facing = query.plane = {};
-  Sample middle = made(*where(query, classes));  // there is one: the class is not empty
+  Sample middle = made(*(*part.nearest)(query));  // there is one: no part is empty
   middle.at = query.p;
   middle.on_shape = false;
   return middle;

@@ -50,12 +50,16 @@ class Shape {
  private:
   Sample sample(Face f, const std::array<double, 3>& weights, const Vec3& at, Curve curve) const;
 
-  std::vector<Sample> corners_;                // by vertex
-  std::vector<std::array<Vertex, 3>> of_;      // by face
-  std::vector<std::uint32_t> components_;      // by face
-  std::vector<HalfEdge> rim_;                  // half-edges on the boundary
-  std::vector<std::uint32_t> curves_;          // of each of these
-  std::optional<Nearest> faces_, rim_places_;  // by face; by place in rim_
+  /// What a sample may be on: a component or a boundary curve.
+  struct Part {
+    std::vector<HalfEdge> of;        // of each triangle its half-edge 0; of each segment its own
+    std::optional<Nearest> nearest;  // by place in `of`
+  };
+
+  std::vector<Sample> corners_;            // by vertex
+  std::vector<std::array<Vertex, 3>> of_;  // by face
+  std::vector<Component> component_;       // by face
+  std::vector<Part> components_, curves_;
 };
 
 }  // namespace clers::cli

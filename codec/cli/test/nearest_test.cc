@@ -69,11 +69,9 @@ TEST(Nearest, PointInAPlaneIsInIt) {
 TEST(Nearest, FindsWhatASearchOfAllFinds) {
   Random random;
   std::vector<Triangle> triangles;
-  std::vector<std::uint32_t> classes;
   for (std::uint32_t i = 0; i < 600; ++i) {
     triangles.push_back(random.triangle(i % 50 == 0 ? 1 : 0.1));
     if (i % 9 == 0) triangles.back() = triangles[i / 2];  // equal ones: the lowest is found
-    classes.push_back(i % 5);
   }
   const Nearest nearest(triangles);
   for (std::uint32_t n = 0; n < 400; ++n) {
@@ -81,18 +79,15 @@ TEST(Nearest, FindsWhatASearchOfAllFinds) {
     query.p = (n % 3 == 0 ? 3 : 1) * random.vector();
     if (n % 2 == 1) query.facing = random.vector();
     if (n % 4 >= 2) query.plane = random.vector();
-    const std::uint32_t of_class = n % 5;
-    if (n % 8 >= 4) query.of_class = &of_class;
 
     std::optional<Nearest::Found> best;
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-      if (query.of_class != nullptr && classes[i] != of_class) continue;
       if (n % 2 == 1 && !faces(triangles[i], query.facing)) continue;
       const auto one = n % 4 >= 2 ? nearest_in_plane(triangles[i], query.p, query.plane)
                                   : nearest_of(triangles[i], query.p);
       if (one && (!best || one->distance2 < best->distance2)) best = Nearest::Found{*one, i};
     }
-    const auto found = nearest(query, classes);
+    const auto found = nearest(query);
     ASSERT_EQ(found.has_value(), best.has_value());
     if (!best) continue;
     EXPECT_EQ(found->triangle, best->triangle);
