@@ -1,70 +1,53 @@
-// Which vertex goes next, and where the one that stays is put (Lindstrom, Turk 1998, memoryless).
+// Which edge goes next, and where the vertex that stays is put.
 #include "topology/modeling/simplify.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "topology/stellar.h"
+#include "topology/modeling/placement.h"
 
 namespace CLERS_VISIBLE clers {
-namespace {
 
-using V = Position3;
+using internal::StarSums;
+using internal::Vector3;
 
-V operator+(const V& a, const V& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-V operator-(const V& a, const V& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-V operator*(double k, const V& a) { return {k * a[0], k * a[1], k * a[2]}; }
-double dot(const V& a, const V& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-V cross(const V& a, const V& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-/// x' H x - 2 c x + k.
-struct Quadric {
-  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0, k = 0;
-  V c{};
-
-  void plane(const V& a, double d, double sign) {
-    const V s = sign * a;
-    xx += s[0] * a[0], xy += s[0] * a[1], xz += s[0] * a[2];
-    yy += s[1] * a[1], yz += s[1] * a[2], zz += s[2] * a[2];
-    c = c + d * s;
-    k += sign * d * d;
-  }
-  V times(const V& x) const {
-    return {xx * x[0] + xy * x[1] + xz * x[2], xy * x[0] + yy * x[1] + yz * x[2],
-            xz * x[0] + yz * x[1] + zz * x[2]};
-  }
-  Quadric& operator+=(const Quadric& o) {
-    xx += o.xx, xy += o.xy, xz += o.xz, yy += o.yy, yz += o.yz, zz += o.zz, k += o.k;
-    c = c + o.c;
-    return *this;
-  }
-  double trace() const { return xx + yy + zz; }
-  double at(const V& x) const { return dot(x, times(x)) - 2 * dot(c, x) + k; }
-};
-
-class Simplifier {
+/// Edges wait with the end of the lower id, each vertex with the cheapest of its own. What changes
+/// around a vertex is looked at when its turn comes, not before: costs mostly rise.
+class Simplification::State {
  public:
-  Simplifier(Surface& surface, std::vector<V>& at, const SimplifyOptions& options)
-      : s_(surface), at_(at), options_(options), best_(surface.vertex_limit()),
-        evaluated_(surface.vertex_limit()), touched_(surface.vertex_limit()),
-        turn_(surface.vertex_limit()), star_made_(surface.vertex_limit()), off_(surface.vertex_limit()), stars_(surface.vertex_limit()) {}
-
-  SimplifyReport run() {
-    SimplifyReport report;
-    for (const Vertex v : s_.vertices()) {
+  State(const Surface& surface, std::vector<Position3>& positions, const Creases& creases,
+        const SimplifyOptions& options)
+      : surface_(surface), positions_(positions), creases_(creases), options_(options) {
+    const std::size_t n = surface.vertex_limit();
+    at_.resize(n);
+    best_.resize(n);
+    stars_.resize(n);
+    off_.resize(n);
+    evaluated_.resize(n);
+    touched_.resize(n);
+    star_made_.resize(n);
+    turn_.resize(n);
+    move_to_origin();
+    heap_.reserve(static_cast<std::size_t>(surface.characteristic().v));
+    for (const Vertex v : surface.vertices()) {
       evaluate(v);
       if (best_[v.index()].with) heap_.push_back({best_[v.index()].cost, v.index(), 0});
     }
     std::make_heap(heap_.begin(), heap_.end());
-    while (!heap_.empty() && s_.characteristic().f > options_.faces) {
+  }
+
+  std::optional<Contraction> next() {
+    while (surface_.characteristic().f > options_.faces) {
+      if (heap_.empty() && !look_again()) {
+        result_.ended = too_far_ ? SimplifyEnd::error : SimplifyEnd::smallest;
+        return std::nullopt;
+      }
       std::pop_heap(heap_.begin(), heap_.end());
       const Entry entry = heap_.back();
       heap_.pop_back();
       const Vertex v(entry.vertex);
-      if (!s_.is_live(v) || turn_[v.index()] != entry.turn) continue;
+      if (!surface_.is_live(v) || turn_[v.index()] != entry.turn) continue;
       if (stale(v)) {
         evaluate(v);
         const Best& b = best_[v.index()];
@@ -74,32 +57,35 @@ class Simplifier {
           continue;
         }
       }
-      const Best b = best_[v.index()];
-      HalfEdge h = edge(v, b.with);
-      const double error = b.off;
-      const auto kept = collapse(s_, h);
-      if (!kept) continue;
-      at_[kept->index()] = b.place;
-      off_[kept->index()] = error;
-      report.error = std::max(report.error, error);
-      ++report.removed;
-      ++now_;
-      touched_[kept->index()] = now_;
-      for (const Vertex u : s_.adjacent_vertices(*kept)) touched_[u.index()] = now_;
-      evaluate(*kept);
-      if (best_[kept->index()].with) put(*kept);
-      const Vertex other = *kept == v ? b.with : v;
-      (void)other;
-      if (*kept != v) ++turn_[v.index()];
+      return contraction(v, best_[v.index()]);
     }
-    return report;
+    result_.ended = SimplifyEnd::faces;
+    return std::nullopt;
   }
+
+  void contracted(const Contraction& c) {
+    const std::uint32_t kept = c.kept.index();
+    if (positions_[kept] != c.place) {
+      positions_[kept] = c.place;
+      at_[kept] = local(c.place);
+    }
+    off_[kept] = c.error * scale_;
+    result_.error = std::max(result_.error, c.error);
+    ++result_.contracted;
+    touched_[kept] = ++now_;
+    for (const Vertex u : surface_.adjacent_vertices(c.kept)) touched_[u.index()] = now_;
+    evaluate(c.kept);
+    ++turn_[kept];  // what it waited with before counts no more
+    if (best_[kept].with) put(c.kept);
+  }
+
+  const Simplified& result() const { return result_; }
 
  private:
   struct Best {
     Vertex with;
     double cost = 0, off = 0;
-    V place{};
+    Vector3 place;
   };
   struct Entry {
     double cost;
@@ -109,193 +95,237 @@ class Simplifier {
     }
   };
 
-  const V& at(Vertex v) const { return at_[v.index()]; }
+  /// Near the origin and of size 1, so that sixth powers of lengths are numbers.
+  void move_to_origin() {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    Vector3 low{far, far, far}, high{-far, -far, -far};
+    for (const Vertex v : surface_.vertices())
+      for (std::size_t i = 0; i < 3; ++i) {
+        low[i] = std::min(low[i], positions_[v.index()][i]);
+        high[i] = std::max(high[i], positions_[v.index()][i]);
+      }
+    double size = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (high[i] >= low[i]) {
+        centre_[i] = low[i] / 2 + high[i] / 2;
+        size = std::max(size, high[i] - low[i]);
+      }
+    int exponent = 0;
+    if (size > 0) (void)std::frexp(size, &exponent);
+    scale_ = std::ldexp(1, -std::max(exponent, -1000));
+    for (const Vertex v : surface_.vertices()) at_[v.index()] = local(positions_[v.index()]);
+  }
+  Vector3 local(const Position3& p) const { return scale_ * (Vector3(p) - centre_); }
+
+  const Vector3& at(Vertex v) const { return at_[v.index()]; }
   void put(Vertex v) {
     heap_.push_back({best_[v.index()].cost, v.index(), ++turn_[v.index()]});
     std::push_heap(heap_.begin(), heap_.end());
   }
-  HalfEdge edge(Vertex v, Vertex w) const {
-    for (const HalfEdge h : s_.star(v))
-      if (s_.other_end(h, v) == w) return h;
-    return {};
-  }
   bool stale(Vertex v) const {
-    const std::uint32_t t = evaluated_[v.index()];
-    if (touched_[v.index()] > t) return true;
-    for (const Vertex u : s_.adjacent_vertices(v))
-      if (touched_[u.index()] > t) return true;
+    const std::uint32_t then = evaluated_[v.index()];
+    if (touched_[v.index()] > then) return true;
+    for (const Vertex u : surface_.adjacent_vertices(v))
+      if (touched_[u.index()] > then) return true;
     return false;
   }
-
-  /// What the triangles around a vertex want, and its neighbours.
-  struct Star {
-    Quadric planes;    // squares of volumes over each triangle, six times
-    V area{};          // sum of the triangles' area vectors, twice
-    double volume = 0; // of the tetrahedra from the origin over them, six times
-    V ring{};          // sum of neighbours
-    double ring2 = 0, count = 0;
-  };
-  void add_face(Star& star, const V& p, const V& a, const V& b, double sign) const {
-    const V n = cross(a - p, b - p);
-    const double d = dot(n, p);
-    star.planes.plane(n, d, sign);
-    star.area = star.area + sign * n;
-    star.volume += sign * d;
-  }
-  const Star& star(Vertex v) {
-    Star& star = stars_[v.index()];
-    if (star_made_[v.index()] > touched_[v.index()]) return star;
-    star_made_[v.index()] = now_ + 1;
-    star = Star();
-    for (const HalfEdge f : s_.fan(v))
-      add_face(star, at(v), at(s_.dest(f)), at(s_.org(lprev(f))), 1);
-    for (const Vertex u : s_.adjacent_vertices(v)) {
-      star.ring = star.ring + at(u);
-      star.ring2 += dot(at(u), at(u));
-      star.count += 1;
+  /// Vertices that had no edge to contract when they were asked may have one now.
+  bool look_again() {
+    too_far_ = false;
+    for (const Vertex v : surface_.vertices()) {
+      if (stale(v)) evaluate(v);
+      if (best_[v.index()].with)
+        put(v);
+      else
+        too_far_ = too_far_ || best_[v.index()].off > 0;
     }
-    return star;
+    return !heap_.empty();
   }
 
-  /// The cheapest edge from v to a vertex of a greater id that may be collapsed.
+  const StarSums& star(Vertex v) {
+    StarSums& sums = stars_[v.index()];
+    if (star_made_[v.index()] > touched_[v.index()]) return sums;
+    star_made_[v.index()] = now_ + 1;
+    sums = StarSums();
+    for (const HalfEdge f : surface_.fan(v))
+      sums.add_face(at(v), at(surface_.dest(f)), at(surface_.org(lprev(f))), 1);
+    for (const Vertex u : surface_.adjacent_vertices(v)) sums.add_neighbour(at(u), 1);
+    return sums;
+  }
+
+  /// The cheapest edge from v to a vertex of a greater id that may be contracted. Without one,
+  /// `off` says whether one was too far.
   void evaluate(Vertex v) {
     candidates_.clear();
-    for (const HalfEdge h : s_.star(v)) {
+    const SharpEdges sharp = sharp_edges(surface_, creases_, v);
+    for (const HalfEdge h : surface_.star(v)) {
       Best b;
-      b.with = s_.other_end(h, v);
-      if (b.with > v && place(h, b)) candidates_.emplace_back(b, h);
+      b.with = surface_.other_end(h, v);
+      if (b.with > v && place(h, v, sharp, b)) candidates_.emplace_back(b, h);
     }
-    std::sort(candidates_.begin(), candidates_.end(), [](const auto& a, const auto& b) {
-      return a.first.cost != b.first.cost ? a.first.cost < b.first.cost : a.first.with < b.first.with;
-    });
     Best best;
-    for (const auto& [b, h] : candidates_)
-      if (legal(h, b)) {
+    bool too_far = false;
+    for (; !candidates_.empty(); candidates_.pop_back()) {
+      for (auto& c : candidates_)
+        if (cheaper(c.first, candidates_.back().first)) std::swap(c, candidates_.back());
+      auto& [b, h] = candidates_.back();
+      if (!keeps_sides(h, b) || !link_condition(surface_, h)) continue;
+      if (b.off <= options_.error * scale_) {
         best = b;
         break;
       }
+      too_far = true;
+    }
+    if (!best.with) best.off = too_far ? 1 : 0;
     best_[v.index()] = best;
     evaluated_[v.index()] = now_;
   }
-
-  /// Where the ends of h go together, and what that costs.
-  bool place(HalfEdge h, Best& b) {
-    const Vertex u = s_.org(h), w = s_.dest(h);
-    Star both = star(u);
-    {
-      const Star& other = star(w);
-      both.planes += other.planes;
-      both.area = both.area + other.area;
-      both.volume += other.volume;
-      both.ring = both.ring + other.ring - at(u) - at(w);
-      both.ring2 += other.ring2 - dot(at(u), at(u)) - dot(at(w), at(w));
-      both.count += other.count - 2;
-    }
-    for (const HalfEdge side : s_.star(h)) {  // counted twice
-      const V& c = at(s_.org(lprev(side)));
-      add_face(both, at(s_.org(side)), at(s_.dest(side)), c, -1);
-      both.ring = both.ring - c;
-      both.ring2 -= dot(c, c);
-      both.count -= 1;
-    }
-    Quadric& q = both.planes;
-    const V& area = both.area;
-    const double volume = both.volume, count = both.count;
-    const V& ring = both.ring;
-    const double ring2 = both.ring2;
-    // Boundary edges at u and w: areas that the curve sweeps.
-    if (s_.is_boundary(u) || s_.is_boundary(w)) {
-      const double k = std::sqrt(dot(at(u) - at(w), at(u) - at(w)));
-      for (const Vertex x : {u, w}) {
-        if (!s_.is_boundary(x)) continue;
-        const HalfEdge out = s_.star_half_edge(x), in = s_.boundary_prev(out);
-        for (const HalfEdge e : {in, out}) {
-          if (x == w && (s_.org(e) == u || s_.dest(e) == u)) continue;
-          const V p = at(s_.org(e)), t = at(s_.dest(e)) - p;
-          // |t x (x - p)|^2 as planes with normals e_i x t.
-          for (std::size_t i = 0; i < 3; ++i) {
-            V axis{};
-            axis[i] = k;
-            const V n = cross(axis, t);
-            q.plane(n, dot(n, p), 1);
-          }
-        }
-      }
-    }
-    const double s = options_.shape * q.trace() / std::max(count, 1.);
-    const double area2 = dot(area, area);
-    V x;
-    if (area2 > 1e-12 * q.trace()) {
-      // On the plane that keeps the volume; there 2 by 2.
-      const V x0 = (volume / area2) * area;
-      const V n = (1 / std::sqrt(area2)) * area;
-      V e{};
-      e[std::fabs(n[0]) < 0.6 ? 0 : 1] = 1;
-      V b1 = cross(n, e);
-      b1 = (1 / std::sqrt(dot(b1, b1))) * b1;
-      const V b2 = cross(n, b1);
-      const V h1 = q.times(b1), h2 = q.times(b2);
-      const double m11 = dot(b1, h1) + s * count, m12 = dot(b1, h2), m22 = dot(b2, h2) + s * count;
-      const V r = q.c - q.times(x0) + s * (ring - count * x0);
-      const double r1 = dot(b1, r), r2 = dot(b2, r), det = m11 * m22 - m12 * m12;
-      if (!(det > 0)) return false;
-      x = x0 + ((m22 * r1 - m12 * r2) / det) * b1 + ((m11 * r2 - m12 * r1) / det) * b2;
-    } else {
-      // No side is outside: the least of the sum alone.
-      const double a = q.xx + s * count, d = q.yy + s * count, f = q.zz + s * count;
-      const V r = q.c + s * ring;
-      const double c00 = d * f - q.yz * q.yz, c01 = q.xz * q.yz - q.xy * f,
-                   c02 = q.xy * q.yz - q.xz * d;
-      const double det = a * c00 + q.xy * c01 + q.xz * c02;
-      if (!(std::fabs(det) > 0)) {
-        x = 0.5 * (at(u) + at(w));
-      } else {
-        const double c11 = a * f - q.xz * q.xz, c12 = q.xy * q.xz - a * q.yz,
-                     c22 = a * d - q.xy * q.xy;
-        x = {(c00 * r[0] + c01 * r[1] + c02 * r[2]) / det,
-             (c01 * r[0] + c11 * r[1] + c12 * r[2]) / det,
-             (c02 * r[0] + c12 * r[1] + c22 * r[2]) / det};
-      }
-    }
-    const double error = std::max(q.at(x), 0.);
-    b.cost = error + s * (count * dot(x, x) - 2 * dot(ring, x) + ring2);
-    // As a distance: the mean square of distances from planes, weighted by squared areas.
-    b.off = std::max(off_[u.index()], off_[w.index()]) + std::sqrt(error / std::max(q.trace(), 1e-300));
-    b.place = x;
-    return b.off <= options_.error && std::isfinite(b.cost);
+  static bool cheaper(const Best& a, const Best& b) {
+    return a.cost != b.cost ? a.cost < b.cost : a.with < b.with;
   }
 
-  /// No face that stays turns over, and the surface stays what it is.
-  bool legal(HalfEdge h, const Best& b) const {
-    const Vertex u = s_.org(h), w = s_.dest(h);
-    for (const Vertex x : {u, w})
-      for (const HalfEdge f : s_.fan(x)) {
-        const Vertex p = s_.dest(f), r = s_.org(lprev(f)), y = x == u ? w : u;
+  /// Where the ends of h, v and another, go together, and what that costs. Creases stay curves: a
+  /// vertex of one may only go along it, and a smooth one only to it.
+  bool place(HalfEdge h, Vertex v, const SharpEdges& at_v, Best& b) {
+    const Vertex w = b.with;
+    const SharpEdges at_w = sharp_edges(surface_, creases_, w);
+    const bool along = creases_.is_sharp(surface_, h);
+    if (at_v.count != 0 && at_w.count != 0) {
+      if (!along || (!at_v.curve() && !at_w.curve())) return false;
+      for (const HalfEdge side :
+           surface_.star(h))  // nothing would be left of a curve around a face
+        if (creases_.is_sharp(surface_, lnext(side)) && creases_.is_sharp(surface_, lprev(side)))
+          return false;
+    }
+    StarSums both = star(v);
+    both += star(w);
+    both.add_neighbour(at(v), -1);
+    both.add_neighbour(at(w), -1);
+    for (const HalfEdge side : surface_.star(h)) {  // counted twice
+      const Vector3& c = at(surface_.org(lprev(side)));
+      both.add_face(at(surface_.org(side)), at(surface_.dest(side)), c, -1);
+      both.add_neighbour(c, -1);
+    }
+    if (at_v.curve() || at_w.curve()) {
+      const double length = std::sqrt(squared(at(v) - at(w)));
+      for (const auto& [x, sharp] : {std::pair(v, &at_v), std::pair(w, &at_w)})
+        if (sharp->curve())
+          for (const Vertex end : sharp->ends)
+            if (x == v || end != v) both.add_curve(at(x), at(end), length);
+    }
+    const double s = both.weight(options_.shape);
+    const bool v_stays = fixed(at_v, along), w_stays = fixed(at_w, along);
+    b.place = v_stays ? at(v) : w_stays ? at(w) : both.best(s, 0.5 * (at(v) + at(w)));
+    b.cost = both.cost(b.place, s);
+    return std::isfinite(b.cost);
+  }
+  /// Does an end stay where it is, if the edge is sharp or not?
+  static bool fixed(const SharpEdges& sharp, bool along) {
+    return sharp.count != 0 && !(along && sharp.curve());
+  }
+
+  /// Does no face that stays turn over? Finds how far the surface moves.
+  bool keeps_sides(HalfEdge h, Best& b) const {
+    const Vertex u = surface_.org(h), w = surface_.dest(h);
+    double farthest = 0;  // squared
+    for (const auto& [x, y] : {std::pair(u, w), std::pair(w, u)})
+      for (const HalfEdge f : surface_.fan(x)) {
+        const Vertex p = surface_.dest(f), r = surface_.org(lprev(f));
+        const Vector3 before = cross(at(p) - at(x), at(r) - at(x));
+        const double size = squared(before);
+        if (size > 0) {
+          const double d = dot(before, b.place - at(x));
+          farthest = std::max(farthest, d * d / size);
+        }
         if (p == y || r == y) continue;
-        const V before = cross(at(p) - at(x), at(r) - at(x)),
-                after = cross(at(p) - b.place, at(r) - b.place);
-        if (!(dot(before, after) > 0.2 * std::sqrt(dot(before, before) * dot(after, after))))
+        const Vector3 after = cross(at(p) - b.place, at(r) - b.place);
+        if (size > 0 && !(dot(before, after) > 0.2 * std::sqrt(size * squared(after))))
           return false;
       }
-    return link_condition(s_, h);
+    for (const Vertex x : {u, w}) farthest = std::max(farthest, off_curve(x, b.place));
+    b.off = std::max(off_[u.index()], off_[w.index()]) + std::sqrt(farthest);
+    return true;
+  }
+  /// The square of the distance of a place from the lines of a curve through x.
+  double off_curve(Vertex x, const Vector3& place) const {
+    const SharpEdges sharp = sharp_edges(surface_, creases_, x);
+    double farthest = 0;
+    if (sharp.curve())
+      for (const Vertex end : sharp.ends) {
+        const Vector3 along = at(end) - at(x);
+        if (const double size = squared(along); size > 0)
+          farthest = std::max(farthest, squared(cross(along, place - at(x))) / size);
+      }
+    return farthest;
   }
 
-  Surface& s_;
-  std::vector<V>& at_;
-  const SimplifyOptions& options_;
+  Contraction contraction(Vertex v, const Best& b) const {
+    Contraction c;
+    for (const HalfEdge h : surface_.star(v))
+      if (surface_.other_end(h, v) == b.with) c.edge = h;
+    // The vertex that stays where it is, and the one on the boundary, keep their ids.
+    const HalfEdge other = surface_.sym(c.edge);
+    if (other &&
+        (b.place == at(surface_.org(c.edge)) || (surface_.is_boundary(surface_.org(c.edge)) &&
+                                                 !surface_.is_boundary(surface_.dest(c.edge)))))
+      c.edge = other;
+    c.kept = surface_.dest(c.edge), c.gone = surface_.org(c.edge);
+    const Vector3 edge = at(c.gone) - at(c.kept);
+    const double length = squared(edge);
+    if (length > 0) c.weight = std::clamp(dot(b.place - at(c.kept), edge) / length, 0., 1.);
+    c.place = b.place == at(c.kept)   ? positions_[c.kept.index()]
+              : b.place == at(c.gone) ? positions_[c.gone.index()]
+                                      : Position3((1 / scale_) * b.place + centre_);
+    c.error = b.off / scale_;
+    return c;
+  }
+
+  const Surface& surface_;
+  std::vector<Position3>& positions_;
+  const Creases& creases_;
+  SimplifyOptions options_;
+  Vector3 centre_;
+  double scale_ = 1;
+  std::vector<Vector3> at_;
   std::vector<Best> best_;
-  std::vector<std::uint32_t> evaluated_, touched_, turn_, star_made_;
-  std::vector<double> off_;
-  std::vector<Star> stars_;
+  std::vector<StarSums> stars_;
+  std::vector<double> off_;  // how far the surface has moved at a vertex
+  std::vector<std::uint32_t> evaluated_, touched_, star_made_, turn_;
   std::vector<std::pair<Best, HalfEdge>> candidates_;
   std::uint32_t now_ = 0;
   std::vector<Entry> heap_;
+  bool too_far_ = false;
+  Simplified result_;
 };
 
-}  // namespace
+std::optional<SimplifyFault> Simplification::refuse(const Surface& surface,
+                                                    std::span<const Position3> positions,
+                                                    const SimplifyOptions& options) {
+  if (options.faces < 0 || !(options.error >= 0) || !(options.shape >= 0) ||
+      !std::isfinite(options.shape))
+    return SimplifyFault{SimplifyRule::option};
+  if (positions.size() < surface.vertex_limit()) return SimplifyFault{SimplifyRule::position_count};
+  for (const Vertex v : surface.vertices())
+    for (const double x : positions[v.index()])
+      if (!(std::fabs(x) < 1e100)) return SimplifyFault{SimplifyRule::position_in_range, v.index()};
+  return std::nullopt;
+}
 
-SimplifyReport simplify(Surface& surface, std::vector<V>& at, const SimplifyOptions& options) {
-  return Simplifier(surface, at, options).run();
+Simplification::Simplification(const Surface& surface, std::vector<Position3>& positions,
+                               const Creases& creases, const SimplifyOptions& options)
+    : state_(std::make_unique<State>(surface, positions, creases, options)) {}
+Simplification::Simplification(Simplification&&) noexcept = default;
+Simplification& Simplification::operator=(Simplification&&) noexcept = default;
+Simplification::~Simplification() = default;
+
+std::optional<Contraction> Simplification::next() {
+  return state_->next();
+}
+void Simplification::contracted(const Contraction& c) {
+  state_->contracted(c);
+}
+const Simplified& Simplification::result() const {
+  return state_->result();
 }
 
 }  // namespace clers
