@@ -89,6 +89,23 @@ TEST(Gltf, IsReadAndWrittenAsItWas) {
   EXPECT_EQ(written(scene), text);
 }
 
+// Positions that are sparse alone are in arrays; the mesh has none then, though a target has
+// values.
+TEST(Gltf, DisplacementsAreNoPositions) {
+  std::string text = small_gltf();
+  const auto swap = [&](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  swap(R"({"POSITION":0,"TEXCOORD_0":1})", R"({"POSITION":4,"TEXCOORD_0":1})");
+  swap(R"([{"POSITION":4}])", R"([{"POSITION":0}])");
+  swap(R"({"attributes":{"POSITION":0},"indices":3)",
+       R"({"attributes":{"POSITION":4},"indices":3)");
+  const gltf::ReadResult result = read(text);
+  ASSERT_EQ(result.scene.meshes.size(), 1u);
+  EXPECT_EQ(result.scene.meshes[0].position(), nullptr);
+  EXPECT_EQ(written(result.scene), text);
+}
+
 TEST(Gltf, ComesBackThroughAFile) {
   const std::string text = small_gltf();
   const gltf::ReadResult result = read(text);
