@@ -128,6 +128,33 @@ TEST(Gltf, ComesBackThroughAFile) {
   }
 }
 
+// Indices of points, and by another accessor values of others: who decodes the extension finds
+// both.
+TEST(Gltf, IndicesThatAreValuesTooAreNotLost) {
+  std::string text = small_gltf();
+  const auto put = [&](const std::string& before, const std::string& what) {
+    text.insert(text.find(before), what);
+  };
+  const std::string six = R"("componentType":5123,"count":6,"type":"SCALAR")";
+  text.replace(text.find(R"("indices":3)"), 11, R"("indices":2)");
+  put(R"(],"meshes")", R"(,{"bufferView":3,)" + six + R"(},{"bufferView":2,)" + six + "}");
+  put(R"(]}],"animations")",
+      R"(,{"attributes":{"_ID":6},"mode":0},{"attributes":{"_X":7},"indices":3,"mode":0})");
+  const gltf::ReadResult given = read(text);
+  const auto within = gltf::write_compressed(given.scene, given.orders, {}, {gltf::Form::gltf});
+  ASSERT_TRUE(within) << describe(within.error());
+  const auto back = gltf::read(within->written.bytes, {});
+  ASSERT_TRUE(back) << describe(back.error());
+  const std::string plain = written(back->scene);
+  std::size_t found = 0;
+  for (std::size_t at = plain.find(six); at != std::string::npos; at = plain.find(six, at + 1)) {
+    const std::size_t begin = plain.rfind('{', at);
+    EXPECT_NE(plain.substr(begin, at - begin).find("bufferView"), std::string::npos);
+    ++found;
+  }
+  EXPECT_EQ(found, 3u);
+}
+
 TEST(Gltf, BoundsAreTrueOfQuantisedValues) {
   const gltf::ReadResult result = read(small_gltf());
   EncodeOptions options;
