@@ -37,7 +37,8 @@ const std::map<std::string, std::string> other_names = {
     {"extract", "decode"},    {"restore", "decode"},    {"list", "info"},
     {"show", "info"},         {"inspect", "info"},      {"stat", "info"},
     {"test", "verify"},       {"compare", "verify"},    {"diff", "verify"},
-    {"measure", "check"},     {"validate", "check"},    {"refine", "adapt"}};
+    {"measure", "check"},     {"validate", "check"},    {"refine", "adapt"},
+    {"decimate", "simplify"}, {"reduce", "simplify"}};
 
 std::string in_quotes(const std::string& text) {
   return "'" + printable(text) + "'";
@@ -138,6 +139,7 @@ class CommandLine {
     add_check();
     add_subdivide();
     add_adapt();
+    add_simplify();
     CLI::App* help = app_.add_subcommand("help", "Explain a command")->group("Commands");
     help->footer("Examples:\n  clers help encode");
     help->add_option("COMMAND", topic_, "what to explain; none: the program")->option_text(" ");
@@ -433,6 +435,44 @@ class CommandLine {
     quiet(adapt);
   }
 
+  void add_simplify() {
+    Fewer& how = options_.fewer;
+    CLI::App& simplify =
+        add("simplify", cli::simplify, "Make meshes of fewer faces near the same surfaces",
+            "Contracts one edge after the other, the cheapest first, until so few faces are\n"
+            "left, or until each other would take the surface farther than the error; without\n"
+            "either, to half the faces. Components, boundary curves and handles stay, and so do\n"
+            "seams of textures, normals and materials. Colours, normals, texture coordinates go\n"
+            "along. Polygons become triangles; what is no manifold is cut, which is said.\n\n"
+            "Examples:\n"
+            "  clers simplify scan.ply -o half.ply\n"
+            "  clers simplify scan.ply -o light.ply --faces 20000\n"
+            "  clers simplify scans/*.ply -o light/ --faces 10%\n"
+            "  clers simplify part.stl -o part.obj --error 0.05%");
+    inputs(simplify, "mesh files: ply, obj, off, stl, drc");
+    output(simplify, "the mesh file, or a directory for several");
+    simplify
+        .add_option(
+            "--faces",
+            [&how](const CLI::results_t& values) {
+              how.faces = parse_faces(values.back());
+              return true;
+            },
+            "how many to leave of a mesh, or which share; 0: as few as there can be. Without "
+            "--error, 50% is the default")
+        ->option_text("N|P%");
+    extent(simplify, "--error", how.error,
+           "how far the surface may move, in the units of the file, or with % of the diagonal of "
+           "its bounding box",
+           true);
+    json(simplify);
+    from(simplify);
+    to(simplify, "format of the output; default: by its name, else that of the input");
+    text(simplify);
+    force(simplify);
+    quiet(simplify);
+  }
+
   CLI::App& add(const char* name, Command command, const char* what, const std::string& footer) {
     CLI::App* sub = app_.add_subcommand(name, what)->group("Commands");
     sub->footer(footer);
@@ -588,16 +628,33 @@ class CommandLine {
     return {{numbers[0], numbers[1], numbers[2]}, numbers[3]};
   }
 
-  void extent(CLI::App& sub, const char* name, std::optional<Extent>& target, const char* what) {
+  /// "5000" or "10%".
+  static FaceCount parse_faces(std::string_view text) {
+    FaceCount faces;
+    const bool share = text.ends_with('%');
+    if (share ? !parse(text.substr(0, text.size() - 1), faces.share.emplace()) ||
+                    !(*faces.share >= 0 && *faces.share <= 100)
+              : !parse(text, faces.count) || faces.count < 0)
+      refuse("--faces", "a number of faces, or a share from 0% to 100%", std::string(text));
+    if (share) *faces.share /= 100;
+    return faces;
+  }
+
+  void extent(CLI::App& sub, const char* name, std::optional<Extent>& target, const char* what,
+              bool zero = false) {
     sub.add_option(
            name,
-           [&target, name](const CLI::results_t& values) {
+           [&target, name, zero](const CLI::results_t& values) {
              std::string_view text = values.back();
              Extent& extent = target.emplace();
              extent.of_diagonal = text.ends_with('%');
              if (extent.of_diagonal) text.remove_suffix(1);
-             if (!parse(text, extent.value) || !(extent.value > 0 && extent.value < 1e100))
-               refuse(name, "a length above 0, such as 0.5 or 0.1%", values.back());
+             if (!parse(text, extent.value) || !(extent.value < 1e100) ||
+                 !(extent.value > 0 || (zero && extent.value == 0)))
+               refuse(
+                   name,
+                   zero ? "a length such as 0.5 or 0.1%" : "a length above 0, such as 0.5 or 0.1%",
+                   values.back());
              if (extent.of_diagonal) extent.value /= 100;
              return true;
            },
@@ -711,6 +768,8 @@ class CommandLine {
     }
     if (command_ == static_cast<Command>(&cli::adapt))
       if (const auto wrong = mistaken_adaptation()) return wrong;
+    if (options_.json && options_.output == "-")
+      return "--json and the mesh cannot both go to standard output";
     if (options_.piece && options_.remove_inputs)
       return "--rm and --piece: a piece is not all of its file";
     return std::nullopt;
@@ -722,8 +781,6 @@ class CommandLine {
     if (!how.level && !how.edge_length && !how.error)
       return "--level, --edge-length or --error is required";
     if (options_.frames && options_.inputs.size() > 1) return "--frames needs a single input";
-    if (options_.json && options_.output == "-")
-      return "--json and the mesh cannot both go to standard output";
     return std::nullopt;
   }
 
