@@ -117,8 +117,8 @@ void contract(Surface& surface, Creases& creases, const Contraction& c, Observer
   }
   const std::vector<Vertex> ends = creases.unmark(surface, c.gone);
   (void)collapse(surface, c.edge, [&](const Change& change) {
-    creases(change);
     if constexpr (observes<Observer>) observer(change);
+    creases(change);
   });
   // They have another end now: a flip turns an edge elsewhere.
   for (const HalfEdge h : surface.star(c.kept))

@@ -9,38 +9,12 @@
 #include <random>
 
 #include "topology/dump.h"
+#include "topology/modeling/test/solids.h"
 #include "topology/test/meshes.h"
 #include "topology/validate.h"
 
 namespace clers::test {
 namespace {
-
-struct Solid {
-  Surface surface;
-  std::vector<Position3> at;
-};
-
-/// A torus around the z axis: radii 2 and 1.
-Solid round_torus(std::uint32_t columns, std::uint32_t rows) {
-  Solid s{torus(columns, rows), {}};
-  s.at.resize(s.surface.vertex_limit());
-  for (std::uint32_t i = 0; i < s.at.size(); ++i) {
-    const double a = 2 * M_PI * (i % columns) / columns, b = 2 * M_PI * (i / columns) / rows;
-    s.at[i] = {(2 + std::cos(b)) * std::cos(a), (2 + std::cos(b)) * std::sin(a), std::sin(b)};
-  }
-  return s;
-}
-
-/// The square 0 .. n, height by a function.
-template <class Height>
-Solid field(std::uint32_t n, Height&& height) {
-  Solid s{grid(n, n), {}};
-  for (std::uint32_t i = 0; i < (n + 1) * (n + 1); ++i) {
-    const double x = i % (n + 1), y = i / (n + 1);
-    s.at.push_back({x, y, height(x, y)});
-  }
-  return s;
-}
 
 double off_torus(const Position3& p) {
   return std::fabs(std::hypot(std::hypot(p[0], p[1]) - 2, p[2]) - 1);
