@@ -110,9 +110,9 @@ class LevelOfDetail {
 /// `carry(c, kept, gone)` makes of the values of two vertices, as they are, that of the vertex that
 /// stays. Errors and what is thrown: as of simplify().
 template <class Value, class Carry>
-Result<Simplified, SimplifyFault> simplify(LevelOfDetail<Value>& levels,
-                                           std::vector<Position3> positions, Creases& creases,
-                                           const SimplifyOptions& options, Carry&& carry) {
+Result<SimplifyResult, SimplifyFault> simplify(LevelOfDetail<Value>& levels,
+                                               std::vector<Position3> positions, Creases& creases,
+                                               const SimplifyOptions& options, Carry&& carry) {
   if (const auto why = Simplification::refuse(levels.surface(), positions, options))
     return Failure{*why};
   Simplification simplification(levels.surface(), positions, creases, options);
@@ -124,9 +124,9 @@ Result<Simplified, SimplifyFault> simplify(LevelOfDetail<Value>& levels,
   return simplification.result();
 }
 /// With positions as values.
-inline Result<Simplified, SimplifyFault> simplify(LevelOfDetail<Position3>& levels,
-                                                  Creases& creases,
-                                                  const SimplifyOptions& options) {
+inline Result<SimplifyResult, SimplifyFault> simplify(LevelOfDetail<Position3>& levels,
+                                                      Creases& creases,
+                                                      const SimplifyOptions& options) {
   const std::span<const Position3> at = levels.values();
   return simplify(levels, {at.begin(), at.end()}, creases, options,
                   [](const Contraction& c, const Position3&, const Position3&) { return c.place; });

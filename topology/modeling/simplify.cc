@@ -79,7 +79,7 @@ class Simplification::State {
     if (best_[kept].with) put(c.kept);
   }
 
-  const Simplified& result() const { return result_; }
+  const SimplifyResult& result() const { return result_; }
 
  private:
   struct Best {
@@ -295,7 +295,7 @@ class Simplification::State {
   std::uint32_t now_ = 0;
   std::vector<Entry> heap_;
   bool too_far_ = false;
-  Simplified result_;
+  SimplifyResult result_;
 };
 
 std::optional<SimplifyFault> Simplification::refuse(const Surface& surface,
@@ -324,7 +324,7 @@ std::optional<Contraction> Simplification::next() {
 void Simplification::contracted(const Contraction& c) {
   state_->contracted(c);
 }
-const Simplified& Simplification::result() const {
+const SimplifyResult& Simplification::result() const {
   return state_->result();
 }
 

@@ -31,7 +31,7 @@ struct SimplifyOptions {
   /// Ends at this many faces or fewer.
   std::int64_t faces = 0;
   /// No edge is contracted if that would take the surface farther than this, in units of the
-  /// positions, from where it was. See Simplified::error.
+  /// positions, from where it was. See SimplifyResult::error.
   double error = std::numeric_limits<double>::infinity();
   /// How much the mean square of the edges at a new vertex counts beside the mean square of its
   /// distances from the planes that were there. 0: error alone, best for machine parts, whose flat
@@ -45,7 +45,7 @@ enum class SimplifyEnd : std::uint8_t {
   smallest,  ///< nothing can go that keeps topology, creases and the sides of faces
 };
 
-struct Simplified {
+struct SimplifyResult {
   std::uint64_t contracted = 0;  ///< edges, and so vertices that are gone
   /// How far the surface has moved, in units of the positions, by an estimate that mostly is too
   /// large: each contraction adds the greatest distance of the new vertex from a plane, or a
@@ -101,7 +101,7 @@ class Simplification {
   std::optional<Contraction> next();
   /// The surface has changed by it: sets the position of the vertex that is kept.
   void contracted(const Contraction& c);
-  const Simplified& result() const;
+  const SimplifyResult& result() const;
 
  private:
   class State;
@@ -144,9 +144,9 @@ void contract(Surface& surface, Creases& creases, const Contraction& c, Observer
 /// that stays where it is keeps its id but on the boundary. Deterministic. Cost: O(V log V) where
 /// degrees are bounded.
 template <class Told, class Observer = NoObserver>
-Result<Simplified, SimplifyFault> simplify(Surface& surface, std::vector<Position3>& positions,
-                                           Creases& creases, const SimplifyOptions& options,
-                                           Told&& told, Observer&& observer = {}) {
+Result<SimplifyResult, SimplifyFault> simplify(Surface& surface, std::vector<Position3>& positions,
+                                               Creases& creases, const SimplifyOptions& options,
+                                               Told&& told, Observer&& observer = {}) {
   if (const auto why = Simplification::refuse(surface, positions, options)) return Failure{*why};
   Simplification simplification(surface, positions, creases, options);
   while (const auto c = simplification.next()) {
@@ -156,15 +156,15 @@ Result<Simplified, SimplifyFault> simplify(Surface& surface, std::vector<Positio
   }
   return simplification.result();
 }
-inline Result<Simplified, SimplifyFault> simplify(Surface& surface,
-                                                  std::vector<Position3>& positions,
-                                                  Creases& creases,
-                                                  const SimplifyOptions& options) {
+inline Result<SimplifyResult, SimplifyFault> simplify(Surface& surface,
+                                                      std::vector<Position3>& positions,
+                                                      Creases& creases,
+                                                      const SimplifyOptions& options) {
   return simplify(surface, positions, creases, options, [](const Contraction&) {});
 }
-inline Result<Simplified, SimplifyFault> simplify(Surface& surface,
-                                                  std::vector<Position3>& positions,
-                                                  const SimplifyOptions& options) {
+inline Result<SimplifyResult, SimplifyFault> simplify(Surface& surface,
+                                                      std::vector<Position3>& positions,
+                                                      const SimplifyOptions& options) {
   Creases none;
   return simplify(surface, positions, none, options);
 }
