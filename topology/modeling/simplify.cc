@@ -263,11 +263,11 @@ class Simplification::State {
     Contraction c;
     for (const HalfEdge h : surface_.star(v))
       if (surface_.other_end(h, v) == b.with) c.edge = h;
-    // The vertex that stays where it is, and the one on the boundary, keep their ids.
-    const HalfEdge other = surface_.sym(c.edge);
-    if (other &&
-        (b.place == at(surface_.org(c.edge)) || (surface_.is_boundary(surface_.org(c.edge)) &&
-                                                 !surface_.is_boundary(surface_.dest(c.edge)))))
+    // The vertex on the boundary keeps its id, else the one that stays where it is.
+    const bool from = surface_.is_boundary(surface_.org(c.edge)),
+               to = surface_.is_boundary(surface_.dest(c.edge));
+    if (const HalfEdge other = surface_.sym(c.edge);
+        other && (from != to ? from : b.place == at(surface_.org(c.edge))))
       c.edge = other;
     c.kept = surface_.dest(c.edge), c.gone = surface_.org(c.edge);
     const Vector3 edge = at(c.gone) - at(c.kept);
