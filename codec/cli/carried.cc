@@ -1,9 +1,10 @@
-// Along an edge that is a seam both sides are mixed, each for itself:
+// The vertex that stays gets the values of the place where it is put: of the faces around both
+// ends. Along an edge that is a seam, those of the edge, and each side its own:
 //
-//         l            corners of `gone` and `kept` in the face of l become mixtures of both, and
-//        / .           so do those in the face of r. All corners that have these values, as those
-//   gone ---- kept     of a fan between two seams do, get the mixtures. `kept` stays where it is
-//        . /           if it has other values, and so they are not mixed.
+//         l            The corners of `gone` and `kept` in the face of l become mixtures of both,
+//        / .           and so do those in the face of r. All corners that have these values, as
+//   gone ---- kept     those of a fan between two seams do, get the mixtures. Where other seams
+//        . /           end, `kept` stays, and so do its values.
 //         r
 #include "codec/cli/carried.h"
 
@@ -12,8 +13,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <utility>
 
+#include "codec/cli/nearest.h"
 #include "codec/cli/vertex_values.h"
 
 namespace clers::cli {
@@ -33,22 +36,35 @@ double MixedValues::number(std::uint32_t value, std::size_t k) const {
              : mixtures_[(value - given_) * of_.components + k];
 }
 
-std::uint32_t MixedValues::mix(std::uint32_t a, std::uint32_t b, double weight) {
-  if (a == b || weight == 0 || a == no_value || b == no_value) return a;
-  if (weight == 1) return b;
-  if (!mixed_) return weight < 0.5 ? a : b;
+std::uint32_t MixedValues::mix(const std::array<std::uint32_t, 3>& of,
+                               const std::array<double, 3>& weights) {
+  std::size_t most = 0;
+  bool mixable = mixed_;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (weights[i] > weights[most]) most = i;
+    if (weights[i] > 0 && of[i] == no_value) mixable = false;
+  }
+  bool alike = true;
+  for (std::size_t i = 0; i < 3; ++i) alike = alike && (weights[i] == 0 || of[i] == of[most]);
+  if (!mixable || alike) return of[most];
+
   const std::size_t first = mixtures_.size(), n = of_.components;
-  double of_a = 0, of_b = 0, of_mixture = 0;  // squared lengths
+  double wanted = 0, found = 0;  // lengths
+  for (std::size_t i = 0; i < 3; ++i) {
+    double squares = 0;
+    for (std::size_t k = 0; k < n && direction_ && weights[i] > 0; ++k)
+      squares += number(of[i], k) * number(of[i], k);
+    wanted += weights[i] * std::sqrt(squares);
+  }
   for (std::size_t k = 0; k < n; ++k) {
-    const double x = number(a, k), y = number(b, k), z = (1 - weight) * x + weight * y;
-    of_a += x * x, of_b += y * y, of_mixture += z * z;
-    mixtures_.push_back(z);
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (weights[i] > 0) sum += weights[i] * number(of[i], k);
+    found += sum * sum;
+    mixtures_.push_back(sum);
   }
-  if (direction_ && of_mixture > 0) {
-    const double longer =
-        ((1 - weight) * std::sqrt(of_a) + weight * std::sqrt(of_b)) / std::sqrt(of_mixture);
-    for (std::size_t k = 0; k < n; ++k) mixtures_[first + k] *= longer;
-  }
+  if (direction_ && found > 0)
+    for (std::size_t k = 0; k < n; ++k) mixtures_[first + k] *= wanted / std::sqrt(found);
   return static_cast<std::uint32_t>(given_ + first / n);
 }
 
@@ -72,7 +88,7 @@ void MixedValues::write(std::uint32_t value, std::byte* to) const {
 
 Carried::Carried(const Mesh& mesh, const SurfaceByCuts& cut, Creases& creases,
                  std::vector<std::string>& notes)
-    : surface_(cut.surface), cut_(cut), mesh_(mesh) {
+    : surface_(cut.surface), cut_(cut), creases_(creases), mesh_(mesh) {
   for (const Attribute& a : mesh.attributes) {
     if (&a == mesh.position()) continue;
     Track track{&a, MixedValues(a), {}};
@@ -154,10 +170,42 @@ bool Carried::mark_seams(const Track& track, Creases& creases) const {
 
 // ---- Contractions
 
-void Carried::before(const Contraction& c) {
+/// On a side of the edge, which runs there from the one end to the other: along the edge, or where
+/// the place is on the faces around both ends.
+Carried::Origin Carried::origin(const Contraction& c, HalfEdge side,
+                                const std::vector<Position3>& at) const {
+  const HalfEdge there = surface_.org(side) == c.gone ? lnext(side) : side,
+                 from = there == side ? lnext(side) : side;
+  if (c.place == at[c.kept.index()] || c.place == at[c.gone.index()] ||
+      creases_.is_sharp(surface_, side))
+    return {{there, from, lprev(side)}, {1 - c.weight, c.weight, 0}};
+  const auto point = [&](Vertex v) {
+    return Vec3{at[v.index()][0], at[v.index()][1], at[v.index()][2]};
+  };
+  Origin origin;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Vertex end : {c.kept, c.gone})
+    for (const HalfEdge f : surface_.fan(end)) {
+      const std::array<HalfEdge, 3> corners{f, lnext(f), lprev(f)};
+      const PointOfTriangle found =
+          nearest_of({point(end), point(surface_.org(corners[1])), point(surface_.org(corners[2]))},
+                     {c.place[0], c.place[1], c.place[2]});
+      if (!(found.distance2 < nearest)) continue;
+      nearest = found.distance2;
+      origin = {corners, found.weights};
+    }
+  return origin;
+}
+
+void Carried::before(const Contraction& c, const std::vector<Position3>& at) {
+  if (vertices_.empty() && corners_.empty() && faces_.empty()) return;
+  const HalfEdge twin = surface_.sym(c.edge);
+  const Origin one = origin(c, c.edge, at),
+               two = twin && creases_.is_sharp(surface_, c.edge) ? origin(c, twin, at) : one;
   for (Track& t : vertices_) {
-    std::uint32_t& value = t.of[c.kept.index()];
-    value = t.values.mix(value, t.of[c.gone.index()], c.weight);
+    std::array<std::uint32_t, 3> of{};
+    for (std::size_t i = 0; i < 3; ++i) of[i] = t.of[surface_.org(one.corners[i]).index()];
+    t.of[c.kept.index()] = t.values.mix(of, one.weights);
   }
   if (corners_.empty() && faces_.empty()) return;
 
@@ -166,16 +214,16 @@ void Carried::before(const Contraction& c) {
     std::uint32_t kept, gone, mixture;
   };
   std::vector<std::array<Side, 2>> sides;
-  const HalfEdge h = c.edge, twin = surface_.sym(h);
   for (Track& t : corners_) {
-    const auto mixed = [&](HalfEdge at_kept, HalfEdge at_gone) {
-      const std::uint32_t kept = t.of[at_kept.index()], gone = t.of[at_gone.index()];
-      return Side{kept, gone, t.values.mix(kept, gone, c.weight)};
+    const auto mixed = [&](HalfEdge at_kept, HalfEdge at_gone, const Origin& from) {
+      std::array<std::uint32_t, 3> of{};
+      for (std::size_t i = 0; i < 3; ++i) of[i] = t.of[from.corners[i].index()];
+      return Side{t.of[at_kept.index()], t.of[at_gone.index()], t.values.mix(of, from.weights)};
     };
-    const Side one = mixed(lnext(h), h);
+    const Side first = mixed(lnext(c.edge), c.edge, one);
     const bool alike =
-        !twin || (t.of[twin.index()] == one.kept && t.of[lnext(twin).index()] == one.gone);
-    sides.push_back({one, alike ? one : mixed(twin, lnext(twin))});
+        !twin || (t.of[twin.index()] == first.kept && t.of[lnext(twin).index()] == first.gone);
+    sides.push_back({first, alike ? first : mixed(twin, lnext(twin), two)});
   }
 
   kept_.clear();

@@ -15,14 +15,14 @@
 namespace clers::cli {
 
 /// Values as they were, and mixtures of them: floats and bytes are mixed, but what other integers
-/// name is one or the other. A vector of three called normal keeps its length.
+/// name is one of them. A vector of three called normal keeps its length.
 class MixedValues {
  public:
   explicit MixedValues(const Attribute& of);
 
-  /// The number of (1 - weight) a + weight b; a or b itself where nothing is mixed, or has no
-  /// value.
-  std::uint32_t mix(std::uint32_t a, std::uint32_t b, double weight);
+  /// The number of the sum of weighted values; or, where values are not mixed or one is none, the
+  /// one of most weight. Weights sum up to 1.
+  std::uint32_t mix(const std::array<std::uint32_t, 3>& of, const std::array<double, 3>& weights);
   bool same(std::uint32_t a, std::uint32_t b) const;
   void write(std::uint32_t value, std::byte* to) const;
 
@@ -49,7 +49,8 @@ class Carried {
   Carried(const Mesh& mesh, const SurfaceByCuts& cut, Creases& creases,
           std::vector<std::string>& notes);
 
-  void before(const Contraction& c);
+  /// `at`: by vertex, before the one that is kept has moved.
+  void before(const Contraction& c, const std::vector<Position3>& at);
   void after(const Contraction& c);
 
   /// The attributes for a mesh made of the surface, in their order; the positions by `at`.
@@ -70,7 +71,14 @@ class Carried {
     std::size_t values;  ///< the first in values_: of all tracks of corners 3, then of faces 1
   };
 
+  /// Where the values of the vertex that is kept come from: three corners.
+  struct Origin {
+    std::array<HalfEdge, 3> corners;
+    std::array<double, 3> weights{};
+  };
+
   std::uint32_t corner_of_mesh(HalfEdge h) const;
+  Origin origin(const Contraction& c, HalfEdge side, const std::vector<Position3>& at) const;
   void share(Track& track) const;
   bool is_seam(const Track& track, HalfEdge h) const;
   bool mark_seams(const Track& track, Creases& creases) const;
@@ -78,6 +86,7 @@ class Carried {
 
   const Surface& surface_;
   const SurfaceByCuts& cut_;
+  const Creases& creases_;
   const Mesh& mesh_;
   std::vector<Track> vertices_, corners_, faces_;
   std::vector<Kept> kept_;

@@ -441,9 +441,10 @@ class CommandLine {
         add("simplify", cli::simplify, "Make meshes of fewer faces near the same surfaces",
             "Contracts one edge after the other, the cheapest first, until so few faces are\n"
             "left, or until each other would take the surface farther than the error; without\n"
-            "either, to half the faces. Components, boundary curves and handles stay, and so do\n"
-            "seams of textures, normals and materials. Colours, normals, texture coordinates go\n"
-            "along. Polygons become triangles; what is no manifold is cut, which is said.\n\n"
+            "either, to half the faces. Components, boundary curves and handles stay, and so\n"
+            "do seams of textures, normals and materials. Values of vertices, corners and\n"
+            "faces go along. Polygons become triangles; what is no manifold is cut, which is\n"
+            "said.\n\n"
             "Examples:\n"
             "  clers simplify scan.ply -o half.ply\n"
             "  clers simplify scan.ply -o light.ply --faces 20000\n"

@@ -116,7 +116,11 @@ Expected<SimplifiedMesh> simplify(const Mesh& given, const Fewer& how,
   options.faces = faces.share ? static_cast<std::int64_t>(std::llround(
                                     *faces.share * static_cast<double>(result.before.f)))
                               : faces.count;
-  if (how.error) options.error = how.error->value * (how.error->of_diagonal ? result.diagonal : 1);
+  // Less is what places are rounded by.
+  if (how.error)
+    options.error = std::max(how.error->value * (how.error->of_diagonal ? result.diagonal : 1),
+                             1e-9 * result.diagonal);
+  if (how.error && how.error->value == 0) options.shape = 0;  // which moves vertices along planes
   result.asked = options.faces;
 
   Creases creases;
@@ -125,7 +129,7 @@ Expected<SimplifiedMesh> simplify(const Mesh& given, const Fewer& how,
   const double to_go =
       static_cast<double>(std::max<std::int64_t>(1, result.before.f - options.faces));
   for (std::uint32_t i = 1; const auto next = simplification.next(); ++i) {
-    carried.before(*next);
+    carried.before(*next, at);
     contract(surface, creases, *next);
     simplification.contracted(*next);
     carried.after(*next);
