@@ -154,39 +154,47 @@ void compare(const Input& input, std::size_t faces, const Options& options) {
   for (const Row& row : rows) print_histogram(row.name.c_str(), radius_ratios(row.mesh));
 }
 
-/// The triangles of a surface.
-Triangles triangles_of(const Surface& surface, const std::vector<Position3>& at) {
-  Triangles out;
-  out.points = at;
+/// Nothing but the arrays of a surface is asked what it is.
+Joined joined(const Surface& surface) {
+  Triangles mesh;
+  mesh.points.resize(surface.vertex_limit());
+  std::vector<std::uint32_t> number(surface.half_edge_limit(), no_twin), twins;
   for (const Face f : surface.faces())
-    for (unsigned i = 0; i < 3; ++i) out.corners.push_back(surface.org(half_edge(f, i)).index());
-  return out;
+    for (const HalfEdge h : surface.star(f)) {
+      number[h.index()] = static_cast<std::uint32_t>(mesh.corners.size());
+      mesh.corners.push_back(surface.org(h).index());
+    }
+  for (const Face f : surface.faces())
+    for (const HalfEdge h : surface.star(f)) {
+      const HalfEdge twin = surface.sym(h);
+      twins.push_back(twin ? number[twin.index()] : no_twin);
+    }
+  return joined(mesh, twins);
 }
 
 bool topology_stays(const Input& input) {
   const auto cut = to_surface_by_cuts(input.mesh);
-  if (!cut) {
-    std::printf("  no surface: %s\n", describe(cut.error()).c_str());
-    return false;
-  }
+  if (!cut) throw std::runtime_error(describe(cut.error()));
   std::vector<Position3> at = triangles_of(input).points;
   for (const std::uint32_t v : cut->copied) at.push_back(at[v]);
   const std::int64_t all = cut->surface.characteristic().f;
-  const Joined before = joined(triangles_of(cut->surface, at));
-  bool right = before.manifold || all == 0;
-  std::printf(
-      "  %lld components, %lld curves, genus %lld:", static_cast<long long>(before.components),
-      static_cast<long long>(before.curves), static_cast<long long>(before.genus));
+  const Joined before = joined(cut->surface);
+  std::printf("  cut: %lld components, %lld curves, genus %lld; faces: %lld",
+              static_cast<long long>(before.components), static_cast<long long>(before.curves),
+              static_cast<long long>(before.genus), static_cast<long long>(all));
+  bool right = true;
   for (const std::int64_t percent : {50, 10, 1, 0}) {
     Surface surface = cut->surface;
     std::vector<Position3> places = at;
     SimplifyOptions options;
     options.faces = all * percent / 100;
-    const auto done = simplify(surface, places, options);
-    const bool stays =
-        done && validate(surface).empty() && joined(triangles_of(surface, places)) == before;
+    if (!simplify(surface, places, options)) {
+      std::printf(", refused: positions");
+      break;
+    }
+    const bool stays = validate(surface).empty() && joined(surface) == before;
     right = right && stays;
-    std::printf("  %lld%s", static_cast<long long>(surface.characteristic().f),
+    std::printf(" %lld%s", static_cast<long long>(surface.characteristic().f),
                 stays ? "" : " CHANGED");
   }
   std::printf("\n");

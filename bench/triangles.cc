@@ -72,42 +72,48 @@ std::vector<double> radius_ratios(const Triangles& mesh) {
   return ratios;
 }
 
-Joined joined(const Triangles& mesh) {
+Joined joined(const Triangles& mesh, const std::vector<std::uint32_t>& twins) {
   Joined found;
-  const auto vertices = static_cast<std::uint32_t>(mesh.points.size());
-  found.manifold = is_oriented_manifold(vertices, mesh.corners);
-  if (!found.manifold) return found;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;  // as they run
-  Sets sets(vertices);
-  std::vector<bool> used(vertices);
-  for (std::size_t h = 0; h < mesh.corners.size(); ++h) {
-    const std::uint32_t a = mesh.corners[h], b = mesh.corners[h % 3 == 2 ? h - 2 : h + 1];
-    sides.emplace_back(a, b);
-    sets.unite(a, b);
-    used[a] = true;
+  found.manifold = true;
+  const auto next = [](std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; };
+  Sets sets(mesh.points.size());
+  std::vector<bool> used(mesh.points.size()), walked(mesh.corners.size());
+  std::int64_t boundary = 0;
+  for (std::uint32_t h = 0; h < mesh.corners.size(); ++h) {
+    used[mesh.corners[h]] = true;
+    sets.unite(mesh.corners[h], mesh.corners[next(h)]);
+    if (twins[h] != no_twin) continue;
+    ++boundary;
+    if (walked[h]) continue;
+    ++found.curves;
+    for (std::uint32_t side = h; !walked[side];) {
+      walked[side] = true;
+      for (side = next(side); twins[side] != no_twin;) side = next(twins[side]);
+    }
   }
-  std::sort(sides.begin(), sides.end());
-  std::map<std::uint32_t, std::uint32_t> boundary;  // from vertex to vertex
-  for (const auto& [a, b] : sides)
-    if (!std::binary_search(sides.begin(), sides.end(), std::pair(b, a))) boundary[a] = b;
-  const auto faces = static_cast<std::int64_t>(mesh.count()),
-             edges = (3 * faces + static_cast<std::int64_t>(boundary.size())) / 2;
   std::int64_t corners = 0;
-  for (std::uint32_t v = 0; v < vertices; ++v) {
+  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
     if (!used[v]) continue;
     ++corners;
     found.components += sets.find(v) == v ? 1 : 0;
   }
-  while (!boundary.empty()) {
-    ++found.curves;
-    for (auto next = boundary.begin(); next != boundary.end();) {
-      const std::uint32_t to = next->second;
-      boundary.erase(next);
-      next = boundary.find(to);
-    }
-  }
+  const auto faces = static_cast<std::int64_t>(mesh.count()), edges = (3 * faces + boundary) / 2;
   found.genus = (2 * found.components - found.curves - (corners - edges + faces)) / 2;
   return found;
+}
+
+Joined joined(const Triangles& mesh) {
+  if (!is_oriented_manifold(static_cast<std::uint32_t>(mesh.points.size()), mesh.corners))
+    return {};
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> sides;  // as they run
+  std::vector<std::uint32_t> twins(mesh.corners.size(), no_twin);
+  for (std::uint32_t h = 0; h < mesh.corners.size(); ++h) {
+    const std::uint32_t a = mesh.corners[h], b = mesh.corners[h % 3 == 2 ? h - 2 : h + 1];
+    sides[{a, b}] = h;
+    if (const auto twin = sides.find({b, a}); twin != sides.end())
+      twins[h] = twin->second, twins[twin->second] = h;
+  }
+  return joined(mesh, twins);
 }
 
 double diagonal(const Triangles& mesh) {

@@ -24,8 +24,7 @@ Triangles triangles_of(const Input& input);
 /// Of the circle within to the one around, twice: 1 if equilateral, 0 if flat. Ascending.
 std::vector<double> radius_ratios(const Triangles& mesh);
 
-/// Counted from the triangles alone: by union of vertices, by boundary edges one after the other,
-/// and by Euler's formula.
+/// Counted by union of vertices, by boundary edges one after the other, and by Euler's formula.
 struct Joined {
   bool manifold = false;  ///< oriented, at edges and vertices; nothing else is counted if not
   std::int64_t components = 0, curves = 0, genus = 0;
@@ -33,6 +32,10 @@ struct Joined {
   bool operator==(const Joined&) const = default;
 };
 Joined joined(const Triangles& mesh);
+/// Of triangles that may have two edges between two vertices, so that it takes twins to say which
+/// are joined: by half-edge, no_twin on the boundary. Precondition: they make a manifold.
+inline constexpr std::uint32_t no_twin = 0xffffffffu;
+Joined joined(const Triangles& mesh, const std::vector<std::uint32_t>& twins);
 
 /// Of the box around the points.
 double diagonal(const Triangles& mesh);
