@@ -1,0 +1,266 @@
+// Which triangle the front of a reconstruction takes next.
+#ifndef CLERS_TOPOLOGY_MODELING_GREEDY_POLICY_H
+#define CLERS_TOPOLOGY_MODELING_GREEDY_POLICY_H
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <queue>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "topology/modeling/advancing_front.h"
+#include "topology/modeling/empty_ball.h"
+#include "topology/modeling/point_index.h"
+
+namespace clers::internal {
+
+/// A policy of AdvancingFront: from each edge to the point whose triangle has the smallest empty
+/// ball; where the surface stays flat the smallest first, then the others by their angle.
+/// (Cohen-Steiner, Da 2004, but that neighbourhoods do for Delaunay's triangulation: a ball that is
+/// empty of the neighbours is looked at in the index, too.) The points are distinct.
+class GreedyPolicy {
+ public:
+  struct Step {
+    HalfEdge edge;
+    Point apex;
+  };
+
+  GreedyPolicy(std::span<const Place> points, std::span<const Place> normals,
+               std::vector<double> radii, const std::function<bool(double)>& progress)
+      : points_(points),
+        normals_(normals),
+        progress_(progress),
+        index_(points, near),
+        radii_(std::move(radii)) {
+    std::sort(radii_.begin(), radii_.end());
+    if (radii_.empty()) radii_.push_back(std::numeric_limits<double>::infinity());
+    find_seeds();
+  }
+
+  std::optional<Step> next(const AdvancingFront& front) {
+    for (;;) {
+      while (!queue_.empty()) {
+        const Candidate best = queue_.top();
+        queue_.pop();
+        if (!front.is_candidate(best.edge)) continue;
+        if (front.fit(best.edge, best.apex)) {
+          radius_of_next_ = best.squared_radius;
+          return Step{best.edge, best.apex};
+        }
+        consider(front, best.edge);
+      }
+      // Without normals components may turn out to be reversed where they meet, so there are as few
+      // as can be: each is grown with all radii before another is begun.
+      if (!normals_.empty() && seed(front)) return {};
+      if (at_radius_ + 1 == radii_.size()) return {};
+      ++at_radius_;
+      for (const Candidate& c : std::exchange(waiting_, {}))
+        if (front.is_candidate(c.edge)) consider(front, c.edge);
+    }
+  }
+
+  bool stopped() const { return stopped_; }
+
+  void refused(const AdvancingFront&, HalfEdge) {}
+
+  std::optional<std::array<Point, 3>> find_seed(const AdvancingFront& front) {
+    const Seed* s = seed(front);
+    if (!s) return {};
+    radius_of_next_ = s->squared_radius;
+    ++at_seed_;
+    if (normals_.empty()) at_radius_ = 0;
+    return s->corners;
+  }
+
+  bool added(const AdvancingFront& front, Face f) {
+    squared_radius_.resize(front.surface().face_limit());
+    squared_radius_[f.index()] = radius_of_next_;
+    for (const HalfEdge h : front.surface().star(f))
+      if (front.is_candidate(h)) consider(front, h);
+    // There are about two faces a point.
+    if (++count_ % 4096 == 0 && progress_)
+      stopped_ = !progress_(
+          std::min(1., static_cast<double>(count_) / (2 * static_cast<double>(points_.size()))));
+    return !stopped_;
+  }
+
+ private:
+  static constexpr std::uint32_t near = 12;         // neighbours of a point that are looked at
+  static constexpr double growth = 5;               // of radii, from a triangle to the next
+  static constexpr double folded = -0.8660254;      // cosine of 150 degrees
+  static constexpr double flat_enough = 0.8660254;  // of 30: such triangles come first
+  struct Candidate {
+    double key;  // the higher the sooner
+    HalfEdge edge;
+    Point apex;
+    double squared_radius;
+    bool operator<(const Candidate& o) const { return key != o.key ? key < o.key : edge > o.edge; }
+  };
+  struct Seed {
+    double squared_radius;
+    std::array<Point, 3> corners;
+  };
+  struct Trial {
+    double squared_radius;
+    std::uint32_t apex;
+    EmptyBall ball;
+  };
+
+  const Place& at(Point p) const { return points_[p.index()]; }
+  double limit() const { return radii_[at_radius_] * radii_[at_radius_]; }
+
+  /// The points around an edge.
+  void gather(std::uint32_t a, std::uint32_t b) {
+    local_.assign(index_.near(a).begin(), index_.near(a).end());
+    local_.insert(local_.end(), index_.near(b).begin(), index_.near(b).end());
+    std::sort(local_.begin(), local_.end());
+    local_.erase(std::unique(local_.begin(), local_.end()), local_.end());
+    local_.erase(std::remove_if(local_.begin(), local_.end(),
+                                [&](std::uint32_t p) { return p == a || p == b; }),
+                 local_.end());
+    std::sort(local_.begin(), local_.end(), [&](std::uint32_t p, std::uint32_t q) {
+      const double dp = far(p, a, b), dq = far(q, a, b);
+      return dp != dq ? dp < dq : p < q;
+    });
+  }
+  double far(std::uint32_t p, std::uint32_t a, std::uint32_t b) const {
+    const Place u = points_[p] - points_[a], v = points_[p] - points_[b];
+    return dot(u, u) + dot(v, v);
+  }
+
+  /// Of the points around (a b) that `may(apex, ball)` be its third the one whose triangle
+  /// (b a apex) has the smallest empty ball.
+  template <class May>
+  std::optional<Trial> smallest(std::uint32_t a, std::uint32_t b, double most, May&& may) {
+    gather(a, b);
+    for (unsigned round = 0; round < 8; ++round) {
+      trials_.clear();
+      for (const std::uint32_t c : local_) {
+        const auto ball = EmptyBall::through(points_[b], points_[a], points_[c]);
+        if (ball && ball->squared_circumradius() <= most && may(c, *ball))
+          trials_.push_back({ball->squared_circumradius(), c, *ball});
+      }
+      std::sort(trials_.begin(), trials_.end(), [](const Trial& x, const Trial& y) {
+        return x.squared_radius != y.squared_radius ? x.squared_radius < y.squared_radius
+                                                    : x.apex < y.apex;
+      });
+      std::optional<Trial> best;
+      for (Trial& t : trials_) {
+        if (best && t.squared_radius >= best->squared_radius) break;
+        bool empty = true;
+        for (const std::uint32_t p : local_)
+          if (p != t.apex && !t.ball.exclude(points_[p])) {
+            empty = false;
+            break;
+          }
+        if (!empty) continue;
+        t.squared_radius = t.ball.squared_radius();
+        if (t.squared_radius <= most && (!best || t.squared_radius < best->squared_radius))
+          best = t;
+      }
+      if (!best || !add_inside(*best, a, b)) return best;
+    }
+    return {};
+  }
+
+  /// Adds the points inside a ball that should be empty.
+  bool add_inside(const Trial& t, std::uint32_t a, std::uint32_t b) {
+    // A ball through a is within twice its radius of it.
+    const auto covers = [&](std::uint32_t p) {
+      const Place d = points_[index_.near(p).back()] - points_[p];
+      return dot(d, d) >= 4 * t.squared_radius;
+    };
+    if (covers(a) || covers(b)) return false;
+    bool more = false;
+    const Place centre = t.ball.centre();
+    for (const std::uint32_t p : index_.nearest(centre, 4)) {
+      const Place d = points_[p] - centre;
+      if (dot(d, d) < t.squared_radius * (1 - 1e-6) && p != a && p != b && p != t.apex &&
+          std::find(local_.begin(), local_.end(), p) == local_.end()) {
+        local_.push_back(p);
+        more = true;
+      }
+    }
+    return more;
+  }
+
+  bool looks_right(std::uint32_t a, std::uint32_t b, std::uint32_t c, const Place& normal) const {
+    if (normals_.empty()) return true;
+    return dot(normals_[a], normal) + dot(normals_[b], normal) + dot(normals_[c], normal) > 0;
+  }
+
+  Place normal_of(const AdvancingFront& front, HalfEdge h) const {
+    const Place n = cross(at(front.destination(h)) - at(front.origin(h)),
+                          at(front.apex(h)) - at(front.origin(h)));
+    const double s = 1 / std::sqrt(dot(n, n));
+    return {n[0] * s, n[1] * s, n[2] * s};
+  }
+
+  /// Puts the best candidate of an edge of the front into the queue.
+  void consider(const AdvancingFront& front, HalfEdge h) {
+    const std::uint32_t a = front.origin(h).index(), b = front.destination(h).index();
+    const Place n = normal_of(front, h);
+    const double most = growth * growth * squared_radius_[left(h).index()];
+    const auto best = smallest(a, b, most, [&](std::uint32_t c, const EmptyBall& ball) {
+      return dot(ball.normal(), n) > folded && looks_right(a, b, c, ball.normal()) &&
+             front.fit(h, Point(c));
+    });
+    if (!best) return;
+    const double flat = dot(best->ball.normal(), n);
+    const double key = flat > flat_enough ? 1 / best->squared_radius : flat - 2;
+    const Candidate made{key, h, Point(best->apex), best->squared_radius};
+    if (best->squared_radius <= limit())
+      queue_.push(made);
+    else if (at_radius_ + 1 < radii_.size())
+      waiting_.push_back(made);
+  }
+
+  void find_seeds() {
+    for (std::uint32_t p = 0; p < points_.size() && points_.size() > 2; ++p) {
+      const std::uint32_t q = index_.near(p)[0];
+      const double most = std::numeric_limits<double>::infinity();
+      const auto best = smallest(p, q, most, [](std::uint32_t, const EmptyBall&) { return true; });
+      if (!best) continue;
+      Point a(p), b(q);
+      if (looks_right(p, q, best->apex, best->ball.normal())) std::swap(a, b);
+      seeds_.push_back({best->squared_radius, {a, b, Point(best->apex)}});
+    }
+    std::sort(seeds_.begin(), seeds_.end(), [](const Seed& x, const Seed& y) {
+      return x.squared_radius != y.squared_radius ? x.squared_radius < y.squared_radius
+                                                  : x.corners < y.corners;
+    });
+  }
+  const Seed* seed(const AdvancingFront& front) {
+    for (; at_seed_ < seeds_.size(); ++at_seed_) {
+      const Seed& s = seeds_[at_seed_];
+      if (s.squared_radius > limit()) break;
+      if (front.is_apart(s.corners[0], s.corners[1], s.corners[2])) return &s;
+    }
+    return nullptr;
+  }
+
+  std::span<const Place> points_, normals_;
+  const std::function<bool(double)>& progress_;
+  bool stopped_ = false;
+  PointIndex index_;
+  std::vector<double> radii_;
+  std::size_t at_radius_ = 0, at_seed_ = 0;
+  std::vector<Seed> seeds_;
+  std::priority_queue<Candidate> queue_;
+  std::vector<Candidate> waiting_;
+  std::vector<double> squared_radius_;  // by face
+  double radius_of_next_ = 0;
+  std::size_t count_ = 0;
+  std::vector<std::uint32_t> local_;
+  std::vector<Trial> trials_;
+};
+
+}  // namespace clers::internal
+
+#endif
