@@ -18,10 +18,14 @@
 #include <clers/topology/id_pool.h>
 #include <clers/topology/ids.h>
 
+namespace CLERS_VISIBLE clers {
+struct RingNodeTag;  // not internal: members of Surface have it in their names
+}
+
 namespace clers {
 namespace CLERS_VISIBLE internal {
 
-using RingNode = Id<struct RingNodeTag>;
+using RingNode = Id<RingNodeTag>;
 
 /// A forest of treaps over boundary vertices. A tree is named by its root; the null id is the empty
 /// tree. Trees of n nodes cost O(log n) expected for each operation that does not say otherwise;

@@ -60,7 +60,7 @@ struct AdaptedMesh {
 ///
 /// `frame(mesh)` is called for each frame but the last; false ends it all, with io_failed.
 /// Errors: as subdivide, but that polygons are cut into triangles; not_on_grid (a position that is
-/// no number below 1e100). Throws std::bad_alloc.
+/// no number below 1e100), bad_option (a way of too many frames). Throws std::bad_alloc.
 Expected<AdaptedMesh> adapt(const Mesh& mesh, const Adaptation& how,
                             const std::function<void(double done)>& progress,
                             const std::function<bool(Mesh)>& frame);

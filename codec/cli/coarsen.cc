@@ -72,18 +72,18 @@ class Coarsening {
 
   /// Collapses one edge; false if none can be.
   bool step() {
-    std::uint32_t id = 0;
-    while (waiting_.take(id)) {
-      const Vertex u(id);
+    internal::Waiting::Entry next;
+    while (waiting_.take(next)) {
+      const Vertex u(next.id);
       if (!surface_.is_live(u)) continue;
       const auto best = cheapest_allowed(u);
       if (!best) continue;
-      if (best->first > cost_[id]) {
+      if (best->first > cost_[u.index()]) {
         put(u, best->first);
         continue;
       }
       const Vertex w = surface_.dest(best->second);
-      quadrics_[w.index()] += quadrics_[id];
+      quadrics_[w.index()] += quadrics_[u.index()];
       (void)collapse(surface_, best->second);
       put(w);
       for (const Vertex v : surface_.adjacent_vertices(w)) put(v);

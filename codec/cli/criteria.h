@@ -3,10 +3,10 @@
 #define CLERS_CODEC_CLI_CRITERIA_H
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "codec/cli/adapt.h"

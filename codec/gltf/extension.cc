@@ -108,7 +108,10 @@ class Compressor {
         of_targets.items.push_back(take(target.items.size()));
         any_target = any_target || !of_targets.items.back().items.empty();
       }
+    // Indices may be values of some mesh, too: then no list has them, and they are the same as
+    // those.
     const Part* list = primitive.indices == none ? nullptr : part(primitive.indices);
+    if (list != nullptr && !is_list(list->mesh, primitive.indices)) list = nullptr;
     if (list != nullptr) {
       mesh = list->mesh;
       said_.insert(primitive.indices);
@@ -117,8 +120,7 @@ class Compressor {
     extension.add(view_key, Json::number(views_[mesh]));
     extension.add(attributes_key, std::move(found));
     if (any_target) extension.add(targets_key, std::move(of_targets));
-    if (list != nullptr && is_list(mesh, primitive.indices))
-      extension.add(list_key, Json::number(list->index));
+    if (list != nullptr) extension.add(list_key, Json::number(list->index));
     if (primitive.indices == none && primitive.mode == mode_triangles && plan_.meshes[mesh].in_turn)
       extension.add(in_turn_key, Json{Json::Kind::boolean, "true"});
     extensions_of(json).add(extension_name, std::move(extension));

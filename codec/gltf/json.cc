@@ -95,6 +95,25 @@ void put(Writer& out, const Json& json) {
   }
 }
 
+/// Half a surrogate pair, which an escape may be and UTF-8 may not, as an escape again.
+std::string with_halves_escaped(std::string_view text) {
+  constexpr char digits[] = "0123456789abcdef";
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  std::string all;
+  all.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (byte(i) != 0xed || i + 2 >= text.size() || byte(i + 1) < 0xa0) {
+      all += text[i];
+      continue;
+    }
+    const unsigned code = 0xd000u | (byte(i + 1) & 0x3fu) << 6 | (byte(i + 2) & 0x3fu);
+    all += "\\u";
+    for (const int shift : {12, 8, 4, 0}) all += digits[code >> shift & 15u];
+    i += 2;
+  }
+  return all;
+}
+
 }  // namespace
 
 void Json::remove(std::string_view key) {
@@ -128,7 +147,7 @@ std::string print(const Json& json) {
   rapidjson::StringBuffer buffer;
   Writer out(buffer);
   put(out, json);
-  return {buffer.GetString(), buffer.GetSize()};
+  return with_halves_escaped({buffer.GetString(), buffer.GetSize()});
 }
 
 std::optional<double> real(const Json& json) {

@@ -182,12 +182,12 @@ class LayoutReader {
     return {};
   }
 
-  std::string vertices(const Json& json, Primitive& p) const {
+  std::string vertices(const Json& json, Primitive& p, bool target) const {
     if (!json.is(Json::Kind::object)) return "attributes are no object";
     for (std::size_t i = 0; i < json.items.size(); ++i) {
       const auto index = integer(json.items[i]);
       if (!index || *index >= layout.accessors.size()) return json.keys[i] + ": no such accessor";
-      p.vertices.push_back({json.keys[i], static_cast<std::size_t>(*index)});
+      p.vertices.push_back({json.keys[i], static_cast<std::size_t>(*index), target});
     }
     return {};
   }
@@ -199,10 +199,10 @@ class LayoutReader {
     if (!fault.empty()) return fault;
     if (p.mode > last_mode) return "no mode that is known";
     if (const Json* attributes = json.find("attributes"))
-      if (fault = vertices(*attributes, p); !fault.empty()) return fault;
+      if (fault = vertices(*attributes, p, false); !fault.empty()) return fault;
     if (const Json* targets = json.find("targets"))
       for (const Json& target : targets->items)
-        if (fault = vertices(target, p); !fault.empty()) return "targets: " + fault;
+        if (fault = vertices(target, p, true); !fault.empty()) return "targets: " + fault;
     if (fault = index_member(json, "indices", p.indices); !fault.empty()) return fault;
     if (const Json* extensions = json.find("extensions"))
       for (std::size_t i = 0; i < extensions->keys.size(); ++i) {

@@ -59,6 +59,7 @@ struct Primitive {
   struct Vertices {
     std::string name;
     std::size_t accessor;
+    bool target = false;  ///< of a morph target
   };
   std::vector<Vertices> vertices;  ///< attributes, then those of morph targets
   std::size_t indices = none;

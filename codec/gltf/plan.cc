@@ -210,7 +210,9 @@ class Planner {
       for (const Primitive::Vertices& v : layout_.primitives[p].vertices) {
         const std::size_t i = overlaps_.first[accessor(v.accessor).base];
         if (!take(i)) continue;
-        const bool position = v.name == "POSITION" && !positions && run(i).components() == 3;
+        // Displacements are no positions, even where positions are not taken, being sparse alone.
+        const bool position =
+            v.name == "POSITION" && !v.target && !positions && run(i).components() == 3;
         positions = positions || position;
         mesh.attributes.push_back({position ? position_name : fitting(v.name), i});
       }

@@ -13,11 +13,11 @@ namespace CLERS_VISIBLE clers {
 
 /// A vertex of level k at (i, j) / 2^((k+1)/2) of a block of the base, (k+1)/2 rounded down:
 ///
-///     (0,1) b --------- c (1,1)      The split edge, from d to b, has its first face below it;
+///     (0,1) d --------- c (1,1)      The split edge, from b to d, has its first face below it;
 ///           | \       / |            level 1 is at (1,1)/2, level 2 at the middles of sides, ..
-///           |   \   /   |            A block of one face has the triangle a d b alone.
+///           |   \   /   |            A block of one face has the triangle a b d alone.
 ///           |   / \s  \ |
-///     (0,0) a --------- d (1,0)
+///     (0,0) a --------- b (1,0)
 ///
 /// Of the places that a vertex on a side has in the blocks around it, the least counts: first by
 /// block, then j, then i. No two vertices have one label, and a vertex keeps its label for life.

@@ -202,8 +202,9 @@ def place_of(gltf, i):
                         if k in ("bufferView", "byteOffset", "componentType", "count", "type", "sparse")))
 
 
-def groups(gltf):
-    """Primitives that share accessors, directly or not."""
+def groups(gltf, places):
+    """Primitives that share accessors, directly or not; with `places`, also accessors of the same bytes: where
+    views are made anew each accessor has its own, and primitives that name none in common may be renumbered apart."""
     parent = {}
 
     def find(x):
@@ -213,7 +214,8 @@ def groups(gltf):
 
     for where, p in primitives(gltf):
         for i in vertex_accessors(p) + index_accessors(p):
-            for key in [("a", i)] + ([place_of(gltf, i)] if "bufferView" in gltf.json["accessors"][i] else []):
+            shared = places and "bufferView" in gltf.json["accessors"][i]
+            for key in [("a", i)] + ([place_of(gltf, i)] if shared else []):
                 parent[find(key)] = find(where)
     result = defaultdict(list)
     for where, p in primitives(gltf):
@@ -322,7 +324,7 @@ def audit(before_path, after_path, errors, views):
             check(not bounds_hold(before, i) or bounds_hold(after, i), "bounds of accessor %d" % i)
     check(before.chunks == after.chunks, "chunks of a .glb")
     named = set()
-    for group in groups(before):
+    for group in groups(before, not views):
         compare_group(before, after, group, errors)
         for _, p in group:
             named.update(vertex_accessors(p) + index_accessors(p))

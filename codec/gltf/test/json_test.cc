@@ -82,6 +82,15 @@ TEST(Numbers, InTheStylesOfOthers) {
   EXPECT_EQ(text_of(-0.0, Style::python), "-0.0");
 }
 
+TEST(Json, HalfAPairIsAnEscapeAgain) {
+  for (const std::string text : {R"({"a":"\ude00"})", R"({"\udc00x":["\udfff\udfff"]})"}) {
+    const auto json = parse(text);
+    ASSERT_TRUE(json) << describe(json.error());
+    EXPECT_EQ(print(*json), text);
+  }
+  EXPECT_EQ(print(*parse(R"("\ud83d\ude00 \ud7ff")")), "\"\xf0\x9f\x98\x80 \xed\x9f\xbf\"");
+}
+
 TEST(Places, FollowEachOther) {
   const char text[] =
       R"({"buffers":[{"byteLength":76}],)"

@@ -89,6 +89,23 @@ TEST(Gltf, IsReadAndWrittenAsItWas) {
   EXPECT_EQ(written(scene), text);
 }
 
+// Positions that are sparse alone are in arrays; the mesh has none then, though a target has
+// values.
+TEST(Gltf, DisplacementsAreNoPositions) {
+  std::string text = small_gltf();
+  const auto swap = [&](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  swap(R"({"POSITION":0,"TEXCOORD_0":1})", R"({"POSITION":4,"TEXCOORD_0":1})");
+  swap(R"([{"POSITION":4}])", R"([{"POSITION":0}])");
+  swap(R"({"attributes":{"POSITION":0},"indices":3)",
+       R"({"attributes":{"POSITION":4},"indices":3)");
+  const gltf::ReadResult result = read(text);
+  ASSERT_EQ(result.scene.meshes.size(), 1u);
+  EXPECT_EQ(result.scene.meshes[0].position(), nullptr);
+  EXPECT_EQ(written(result.scene), text);
+}
+
 TEST(Gltf, ComesBackThroughAFile) {
   const std::string text = small_gltf();
   const gltf::ReadResult result = read(text);
@@ -109,6 +126,33 @@ TEST(Gltf, ComesBackThroughAFile) {
     ASSERT_TRUE(in_order);
     EXPECT_EQ(written(*in_order), text);
   }
+}
+
+// Indices of points, and by another accessor values of others: who decodes the extension finds
+// both.
+TEST(Gltf, IndicesThatAreValuesTooAreNotLost) {
+  std::string text = small_gltf();
+  const auto put = [&](const std::string& before, const std::string& what) {
+    text.insert(text.find(before), what);
+  };
+  const std::string six = R"("componentType":5123,"count":6,"type":"SCALAR")";
+  text.replace(text.find(R"("indices":3)"), 11, R"("indices":2)");
+  put(R"(],"meshes")", R"(,{"bufferView":3,)" + six + R"(},{"bufferView":2,)" + six + "}");
+  put(R"(]}],"animations")",
+      R"(,{"attributes":{"_ID":6},"mode":0},{"attributes":{"_X":7},"indices":3,"mode":0})");
+  const gltf::ReadResult given = read(text);
+  const auto within = gltf::write_compressed(given.scene, given.orders, {}, {gltf::Form::gltf});
+  ASSERT_TRUE(within) << describe(within.error());
+  const auto back = gltf::read(within->written.bytes, {});
+  ASSERT_TRUE(back) << describe(back.error());
+  const std::string plain = written(back->scene);
+  std::size_t found = 0;
+  for (std::size_t at = plain.find(six); at != std::string::npos; at = plain.find(six, at + 1)) {
+    const std::size_t begin = plain.rfind('{', at);
+    EXPECT_NE(plain.substr(begin, at - begin).find("bufferView"), std::string::npos);
+    ++found;
+  }
+  EXPECT_EQ(found, 3u);
 }
 
 TEST(Gltf, BoundsAreTrueOfQuantisedValues) {

@@ -103,7 +103,7 @@ std::vector<Base> bases() {
 }
 
 Surface random_base(std::span<const std::uint16_t> choices) {
-  const std::uint32_t faces = 1 + (choices.empty() ? 0 : choices[0] % 9);
+  const std::uint32_t faces = 1 + (choices.empty() ? 0u : choices[0] % 9u);
   Surface s = glued(faces, {});
   std::size_t next = 1;
   const auto choose = [&](std::size_t n) -> std::size_t {
