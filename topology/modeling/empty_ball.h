@@ -66,6 +66,13 @@ class EmptyBall {
 
   const Place& normal() const { return normal_; }
   Place centre() const { return along(circumcentre_, offset(), normal_); }
+  /// Of the ball of this radius on the side of the normal, whatever is inside; nothing if the
+  /// circle is wider.
+  std::optional<Place> centre(double radius) const {
+    const double square = radius * radius - squared_;
+    if (!(square >= 0)) return {};
+    return along(circumcentre_, std::sqrt(square), normal_);
+  }
   double squared_radius() const { return squared_ + offset() * offset(); }
   double squared_circumradius() const { return squared_; }
 

@@ -6,17 +6,15 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <queue>
-#include <span>
 #include <utility>
 #include <vector>
 
 #include "topology/modeling/advancing_front.h"
 #include "topology/modeling/empty_ball.h"
-#include "topology/modeling/point_index.h"
+#include "topology/modeling/front_points.h"
 
 namespace clers::internal {
 
@@ -31,51 +29,32 @@ class GreedyPolicy {
     Point apex;
   };
 
-  GreedyPolicy(std::span<const Place> points, std::span<const Place> normals,
-               std::vector<double> radii, const std::function<bool(double)>& progress)
-      : points_(points),
-        normals_(normals),
-        progress_(progress),
-        index_(points, near),
-        radii_(std::move(radii)) {
-    std::sort(radii_.begin(), radii_.end());
-    if (radii_.empty()) radii_.push_back(std::numeric_limits<double>::infinity());
-    find_seeds();
-  }
+  explicit GreedyPolicy(FrontPoints& points) : points_(points) { find_seeds(); }
 
   std::optional<Step> next(const AdvancingFront& front) {
-    for (;;) {
-      while (!queue_.empty()) {
-        const Candidate best = queue_.top();
-        queue_.pop();
-        if (!front.is_candidate(best.edge)) continue;
-        if (front.fit(best.edge, best.apex)) {
-          radius_of_next_ = best.squared_radius;
-          return Step{best.edge, best.apex};
-        }
-        consider(front, best.edge);
+    while (!queue_.empty()) {
+      const Candidate best = queue_.top();
+      queue_.pop();
+      if (!front.is_candidate(best.edge)) continue;
+      if (front.fit(best.edge, best.apex)) {
+        radius_of_next_ = best.squared_radius;
+        return Step{best.edge, best.apex};
       }
-      // Without normals components may turn out to be reversed where they meet, so there are as few
-      // as can be: each is grown with all radii before another is begun.
-      if (!normals_.empty() && seed(front)) return {};
-      if (at_radius_ + 1 == radii_.size()) return {};
-      ++at_radius_;
-      for (const Candidate& c : std::exchange(waiting_, {}))
-        if (front.is_candidate(c.edge)) consider(front, c.edge);
+      consider(front, best.edge);
     }
+    return {};
   }
-
-  bool stopped() const { return stopped_; }
 
   void refused(const AdvancingFront&, HalfEdge) {}
 
   std::optional<std::array<Point, 3>> find_seed(const AdvancingFront& front) {
-    const Seed* s = seed(front);
-    if (!s) return {};
-    radius_of_next_ = s->squared_radius;
-    ++at_seed_;
-    if (normals_.empty()) at_radius_ = 0;
-    return s->corners;
+    for (; at_seed_ < seeds_.size(); ++at_seed_) {
+      const Seed& s = seeds_[at_seed_];
+      if (!front.is_apart(s.corners[0], s.corners[1], s.corners[2])) continue;
+      radius_of_next_ = s.squared_radius;
+      return s.corners;
+    }
+    return {};
   }
 
   bool added(const AdvancingFront& front, Face f) {
@@ -83,17 +62,11 @@ class GreedyPolicy {
     squared_radius_[f.index()] = radius_of_next_;
     for (const HalfEdge h : front.surface().star(f))
       if (front.is_candidate(h)) consider(front, h);
-    // There are about two faces a point.
-    if (++count_ % 4096 == 0 && progress_)
-      stopped_ = !progress_(
-          std::min(1., static_cast<double>(count_) / (2 * static_cast<double>(points_.size()))));
-    return !stopped_;
+    return points_.count();
   }
 
  private:
-  static constexpr std::uint32_t near = 12;         // neighbours of a point that are looked at
   static constexpr double growth = 5;               // of radii, from a triangle to the next
-  static constexpr double folded = -0.8660254;      // cosine of 150 degrees
   static constexpr double flat_enough = 0.8660254;  // of 30: such triangles come first
   struct Candidate {
     double key;  // the higher the sooner
@@ -112,13 +85,10 @@ class GreedyPolicy {
     EmptyBall ball;
   };
 
-  const Place& at(Point p) const { return points_[p.index()]; }
-  double limit() const { return radii_[at_radius_] * radii_[at_radius_]; }
-
   /// The points around an edge.
   void gather(std::uint32_t a, std::uint32_t b) {
-    local_.assign(index_.near(a).begin(), index_.near(a).end());
-    local_.insert(local_.end(), index_.near(b).begin(), index_.near(b).end());
+    local_.assign(points_.near(a).begin(), points_.near(a).end());
+    local_.insert(local_.end(), points_.near(b).begin(), points_.near(b).end());
     std::sort(local_.begin(), local_.end());
     local_.erase(std::unique(local_.begin(), local_.end()), local_.end());
     local_.erase(std::remove_if(local_.begin(), local_.end(),
@@ -173,13 +143,13 @@ class GreedyPolicy {
   bool add_inside(const Trial& t, std::uint32_t a, std::uint32_t b) {
     // A ball through a is within twice its radius of it.
     const auto covers = [&](std::uint32_t p) {
-      const Place d = points_[index_.near(p).back()] - points_[p];
+      const Place d = points_[points_.near(p).back()] - points_[p];
       return dot(d, d) >= 4 * t.squared_radius;
     };
     if (covers(a) || covers(b)) return false;
     bool more = false;
     const Place centre = t.ball.centre();
-    for (const std::uint32_t p : index_.nearest(centre, 4)) {
+    for (const std::uint32_t p : points_.index().nearest(centre, 4)) {
       const Place d = points_[p] - centre;
       if (dot(d, d) < t.squared_radius * (1 - 1e-6) && p != a && p != b && p != t.apex &&
           std::find(local_.begin(), local_.end(), p) == local_.end()) {
@@ -190,45 +160,29 @@ class GreedyPolicy {
     return more;
   }
 
-  bool looks_right(std::uint32_t a, std::uint32_t b, std::uint32_t c, const Place& normal) const {
-    if (normals_.empty()) return true;
-    return dot(normals_[a], normal) + dot(normals_[b], normal) + dot(normals_[c], normal) > 0;
-  }
-
-  Place normal_of(const AdvancingFront& front, HalfEdge h) const {
-    const Place n = cross(at(front.destination(h)) - at(front.origin(h)),
-                          at(front.apex(h)) - at(front.origin(h)));
-    const double s = 1 / std::sqrt(dot(n, n));
-    return {n[0] * s, n[1] * s, n[2] * s};
-  }
-
   /// Puts the best candidate of an edge of the front into the queue.
   void consider(const AdvancingFront& front, HalfEdge h) {
     const std::uint32_t a = front.origin(h).index(), b = front.destination(h).index();
-    const Place n = normal_of(front, h);
+    const Place n = points_.normal_of(front, h);
     const double most = growth * growth * squared_radius_[left(h).index()];
     const auto best = smallest(a, b, most, [&](std::uint32_t c, const EmptyBall& ball) {
-      return dot(ball.normal(), n) > folded && looks_right(a, b, c, ball.normal()) &&
-             front.fit(h, Point(c));
+      return dot(ball.normal(), n) > FrontPoints::folded &&
+             points_.looks_right(a, b, c, ball.normal()) && front.fit(h, Point(c));
     });
     if (!best) return;
     const double flat = dot(best->ball.normal(), n);
     const double key = flat > flat_enough ? 1 / best->squared_radius : flat - 2;
-    const Candidate made{key, h, Point(best->apex), best->squared_radius};
-    if (best->squared_radius <= limit())
-      queue_.push(made);
-    else if (at_radius_ + 1 < radii_.size())
-      waiting_.push_back(made);
+    queue_.push({key, h, Point(best->apex), best->squared_radius});
   }
 
   void find_seeds() {
     for (std::uint32_t p = 0; p < points_.size() && points_.size() > 2; ++p) {
-      const std::uint32_t q = index_.near(p)[0];
+      const std::uint32_t q = points_.near(p)[0];
       const double most = std::numeric_limits<double>::infinity();
       const auto best = smallest(p, q, most, [](std::uint32_t, const EmptyBall&) { return true; });
       if (!best) continue;
       Point a(p), b(q);
-      if (looks_right(p, q, best->apex, best->ball.normal())) std::swap(a, b);
+      if (points_.looks_right(p, q, best->apex, best->ball.normal())) std::swap(a, b);
       seeds_.push_back({best->squared_radius, {a, b, Point(best->apex)}});
     }
     std::sort(seeds_.begin(), seeds_.end(), [](const Seed& x, const Seed& y) {
@@ -236,27 +190,13 @@ class GreedyPolicy {
                                                   : x.corners < y.corners;
     });
   }
-  const Seed* seed(const AdvancingFront& front) {
-    for (; at_seed_ < seeds_.size(); ++at_seed_) {
-      const Seed& s = seeds_[at_seed_];
-      if (s.squared_radius > limit()) break;
-      if (front.is_apart(s.corners[0], s.corners[1], s.corners[2])) return &s;
-    }
-    return nullptr;
-  }
 
-  std::span<const Place> points_, normals_;
-  const std::function<bool(double)>& progress_;
-  bool stopped_ = false;
-  PointIndex index_;
-  std::vector<double> radii_;
-  std::size_t at_radius_ = 0, at_seed_ = 0;
+  FrontPoints& points_;
+  std::size_t at_seed_ = 0;
   std::vector<Seed> seeds_;
   std::priority_queue<Candidate> queue_;
-  std::vector<Candidate> waiting_;
   std::vector<double> squared_radius_;  // by face
   double radius_of_next_ = 0;
-  std::size_t count_ = 0;
   std::vector<std::uint32_t> local_;
   std::vector<Trial> trials_;
 };

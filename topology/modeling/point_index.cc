@@ -54,4 +54,13 @@ std::vector<std::uint32_t> PointIndex::nearest(const Place& at, std::uint32_t co
   return found;
 }
 
+void PointIndex::within(const Place& at, double radius, std::vector<std::uint32_t>& found) const {
+  std::vector<std::pair<std::uint32_t, double>> hits;
+  nanoflann::SearchParams unsorted;
+  unsorted.sorted = false;
+  tree_->index.radiusSearch(at.data(), radius * radius, hits, unsorted);
+  found.clear();
+  for (const auto& hit : hits) found.push_back(hit.first);
+}
+
 }  // namespace clers::internal

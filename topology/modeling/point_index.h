@@ -24,6 +24,8 @@ class PointIndex {
   }
   /// Some of the nearest points of a place, nearest first, at most count of them.
   std::vector<std::uint32_t> nearest(const Place& at, std::uint32_t count) const;
+  /// All points nearer to a place than the radius, in no order that is promised.
+  void within(const Place& at, double radius, std::vector<std::uint32_t>& found) const;
 
  private:
   struct Tree;

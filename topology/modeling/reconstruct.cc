@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "topology/modeling/advancing_front.h"
+#include "topology/modeling/front_points.h"
 #include "topology/modeling/greedy_policy.h"
+#include "topology/modeling/pivoting_policy.h"
 
 namespace CLERS_VISIBLE clers {
 namespace {
@@ -75,7 +77,7 @@ std::vector<double> volumes(const Surface& surface, std::span<const Place> place
 const char* describe(ReconstructionError error) {
   switch (error) {
     case ReconstructionError::bad_point: return "a coordinate is no number below 1e100";
-    case ReconstructionError::bad_radius: return "a radius is no number above 0";
+    case ReconstructionError::bad_radius: return "a radius is no number above 0 and below 1e100";
     case ReconstructionError::bad_normals:
       return "a normal is no number below 1e100, or there are not as many as points";
     case ReconstructionError::too_many_points: return "there are too many points";
@@ -91,18 +93,24 @@ Result<Reconstruction, ReconstructionError> reconstruct(
       (options.normals.size() != points.size() || !are_numbers(options.normals)))
     return Failure{ReconstructionError::bad_normals};
   for (const double r : options.radii)
-    if (!(r > 0)) return Failure{ReconstructionError::bad_radius};
+    if (!(r > 0 && r < 1e100)) return Failure{ReconstructionError::bad_radius};
 
   const Distinct distinct(points, options.normals);
   std::vector<double> radii = options.radii;
   for (double& r : radii) r /= distinct.unit;
   AdvancingFront front(static_cast<std::uint32_t>(distinct.places.size()));
-  GreedyPolicy policy(distinct.places, distinct.normals, std::move(radii), options.progress);
-  advance(front, policy);
+  FrontPoints known(distinct.places, distinct.normals, options.progress);
+  if (radii.empty()) {
+    GreedyPolicy policy(known);
+    advance(front, policy);
+  } else {
+    PivotingPolicy policy(known, std::move(radii));
+    advance(front, policy);
+  }
 
   Reconstruction made;
   made.removed = front.part_fans();
-  made.stopped = policy.stopped();
+  made.stopped = known.stopped();
   const Surface grown = std::move(front).take();
   const std::vector<double> volume =
       options.normals.empty() ? volumes(grown, distinct.places) : std::vector<double>();

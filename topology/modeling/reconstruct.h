@@ -16,9 +16,10 @@
 namespace CLERS_VISIBLE clers {
 
 struct ReconstructionOptions {
-  /// Largest radii that the empty ball of a triangle may have: each continues the front that the
-  /// one before left (without normals in one component after the other). None: up to five times
-  /// that of the triangle beside it.
+  /// Of balls that are rolled over the points (Bernardini et al. 1999), each going on where the one
+  /// before came to rest: without normals in one component after the other. A triangle is
+  /// made where a ball of such a radius lies on three points and has none inside, so nothing
+  /// bridges gaps that a ball falls through. None: greedily, without a limit.
   std::vector<double> radii;
   /// By point, of any length; empty: none. A triangle looks where those of its corners do.
   std::span<const std::array<double, 3>> normals;
@@ -28,7 +29,7 @@ struct ReconstructionOptions {
 
 enum class ReconstructionError : std::uint8_t {
   bad_point,       ///< a coordinate is no number below 1e100
-  bad_radius,      ///< a radius is no number above 0
+  bad_radius,      ///< a radius is no number above 0 and below 1e100
   bad_normals,     ///< not as many as points, or one is no number below 1e100
   too_many_points  ///< more than max_faces / 2
 };
@@ -44,17 +45,19 @@ struct Reconstruction {
   bool stopped = false;        ///< by `progress`
 };
 
-/// Grows an oriented manifold with boundary through the points, which need no order: greedily, from
-/// each edge of the front to the point whose triangle has the smallest empty ball, flat triangles
-/// first (Cohen-Steiner, Da 2004; no Delaunay triangulation is made, neighbourhoods are looked at).
-/// What it cannot decide stays open: see the surface's boundary curves.
+/// Grows an oriented manifold with boundary through the points, which need no order: from
+/// each edge of the front to the point whose triangle has the smallest empty ball, at most five
+/// times as large as that of the triangle beside it, flat triangles first (Cohen-Steiner, Da 2004;
+/// no Delaunay triangulation is made, neighbourhoods are looked at); or, if radii are given, by
+/// pivoting balls of these. What it cannot decide stays open: see the surface's boundary curves.
 ///
 /// Without normals orientation spreads from face to face, and each component is turned so that its
 /// volume is not negative. Which places the triangles have does not depend on the order of
 /// points (of several normals at one place the first counts).
 ///
 /// Errors: as above. Throws std::bad_alloc. Cost: O(n log n) time if no place has points by far
-/// denser than their neighbours; some 500 bytes a point.
+/// denser than their neighbours, times the points that are within two radii of a point if radii are
+/// given; some 500 bytes a point.
 Result<Reconstruction, ReconstructionError> reconstruct(
     std::span<const std::array<double, 3>> points, const ReconstructionOptions& options = {});
 
