@@ -79,29 +79,25 @@ class GreedyPolicy {
     double squared_radius;
     std::array<Point, 3> corners;
   };
+  using Near = std::pair<double, std::uint32_t>;  // how far, and what
   struct Trial {
     double squared_radius;
     std::uint32_t apex;
     EmptyBall ball;
   };
 
-  /// The points around an edge.
+  /// The points around an edge, nearest first.
   void gather(std::uint32_t a, std::uint32_t b) {
-    local_.assign(points_.near(a).begin(), points_.near(a).end());
-    local_.insert(local_.end(), points_.near(b).begin(), points_.near(b).end());
+    local_.clear();
+    const auto near_a = points_.near(a);
+    for (const std::uint32_t end : {a, b})
+      for (const std::uint32_t p : points_.near(end)) {
+        if (p == a || p == b) continue;
+        if (end == b && std::find(near_a.begin(), near_a.end(), p) != near_a.end()) continue;
+        const Place u = points_[p] - points_[a], v = points_[p] - points_[b];
+        local_.push_back({dot(u, u) + dot(v, v), p});
+      }
     std::sort(local_.begin(), local_.end());
-    local_.erase(std::unique(local_.begin(), local_.end()), local_.end());
-    local_.erase(std::remove_if(local_.begin(), local_.end(),
-                                [&](std::uint32_t p) { return p == a || p == b; }),
-                 local_.end());
-    std::sort(local_.begin(), local_.end(), [&](std::uint32_t p, std::uint32_t q) {
-      const double dp = far(p, a, b), dq = far(q, a, b);
-      return dp != dq ? dp < dq : p < q;
-    });
-  }
-  double far(std::uint32_t p, std::uint32_t a, std::uint32_t b) const {
-    const Place u = points_[p] - points_[a], v = points_[p] - points_[b];
-    return dot(u, u) + dot(v, v);
   }
 
   /// Of the points around (a b) that `may(apex, ball)` be its third the one whose triangle
@@ -111,7 +107,7 @@ class GreedyPolicy {
     gather(a, b);
     for (unsigned round = 0; round < 8; ++round) {
       trials_.clear();
-      for (const std::uint32_t c : local_) {
+      for (const auto& [far, c] : local_) {
         const auto ball = EmptyBall::through(points_[b], points_[a], points_[c]);
         if (ball && ball->squared_circumradius() <= most && may(c, *ball))
           trials_.push_back({ball->squared_circumradius(), c, *ball});
@@ -124,7 +120,7 @@ class GreedyPolicy {
       for (Trial& t : trials_) {
         if (best && t.squared_radius >= best->squared_radius) break;
         bool empty = true;
-        for (const std::uint32_t p : local_)
+        for (const auto& [far, p] : local_)
           if (p != t.apex && !t.ball.exclude(points_[p])) {
             empty = false;
             break;
@@ -152,8 +148,9 @@ class GreedyPolicy {
     for (const std::uint32_t p : points_.index().nearest(centre, 4)) {
       const Place d = points_[p] - centre;
       if (dot(d, d) < t.squared_radius * (1 - 1e-6) && p != a && p != b && p != t.apex &&
-          std::find(local_.begin(), local_.end(), p) == local_.end()) {
-        local_.push_back(p);
+          std::none_of(local_.begin(), local_.end(),
+                       [&](const Near& q) { return q.second == p; })) {
+        local_.push_back({0, p});
         more = true;
       }
     }
@@ -197,7 +194,7 @@ class GreedyPolicy {
   std::priority_queue<Candidate> queue_;
   std::vector<double> squared_radius_;  // by face
   double radius_of_next_ = 0;
-  std::vector<std::uint32_t> local_;
+  std::vector<Near> local_;
   std::vector<Trial> trials_;
 };
 
