@@ -80,9 +80,15 @@ class PivotingPolicy {
   }
 
  private:
-  static constexpr double pi = 3.14159265358979323846;
-  // Angles that rounding may make negative; a share of the radius by which a point may be inside.
-  static constexpr double least_angle = -1e-6, slack = 1e-9;
+  static constexpr double slack = 1e-9;  // a share of the radius by which a point may be inside
+
+  /// What grows with the angle of (x, y), from 0 to 4; by single operations, the same everywhere.
+  /// Angles that rounding made negative count as 0.
+  static double turn(double x, double y) {
+    if (y < 0 && -y < 1e-6 * x) return 0;
+    if (y >= 0) return x >= 0 ? y / (x + y) : 1 - x / (y - x);
+    return x < 0 ? 2 + y / (x + y) : 3 + x / (x - y);
+  }
 
   bool is_empty(const Place& centre, double radius, std::uint32_t a, std::uint32_t b,
                 std::uint32_t c) {
@@ -106,7 +112,7 @@ class PivotingPolicy {
     const double length = std::sqrt(dot(edge, edge));
     points_.index().within(middle, (radius + std::sqrt(dot(u, u))) * (1 + slack), found_);
     std::sort(found_.begin(), found_.end());
-    double least = 2 * pi;
+    double least = 4;
     std::uint32_t hit = behind;
     Place normal{}, centre{};
     for (const std::uint32_t c : found_) {
@@ -115,10 +121,9 @@ class PivotingPolicy {
       const auto to = ball ? ball->centre(radius) : std::nullopt;
       if (!to) continue;
       const Place v = *to - middle;
-      double angle = std::atan2(dot(edge, cross(u, v)) / length, dot(u, v));
-      if (angle < least_angle) angle += 2 * pi;
-      if (angle >= least) continue;
-      least = angle;
+      const double turned = turn(dot(u, v), dot(edge, cross(u, v)) / length);
+      if (turned >= least) continue;
+      least = turned;
       hit = c;
       normal = ball->normal();
       centre = *to;
