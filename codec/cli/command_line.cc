@@ -697,7 +697,8 @@ class CommandLine {
     if (!parse(text, extent.value) || !(extent.value < 1e100) ||
         !(extent.value > 0 || (zero && extent.value == 0)))
       refuse(option,
-             zero ? "a length such as 0.5 or 0.1%" : "a length above 0, such as 0.5 or 0.1%", given);
+             zero ? "a length such as 0.5 or 0.1%" : "a length above 0, such as 0.5 or 0.1%",
+             given);
     if (extent.of_diagonal) extent.value /= 100;
     return extent;
   }
