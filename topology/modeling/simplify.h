@@ -1,12 +1,11 @@
 // Simplification of triangle meshes by flips and welds (Topological mesh operators, §7.4).
 //
 // Algorithm 5 of the paper with edges in its queue. An edge is contracted as Fig. 16 removes a
-// vertex, by flips until a weld can take it (`collapse`, stellar.h). In a four-face cluster the
-// flips stop at four edges and the aspect ratio chooses among them: what is left is the best
-// triangulation of the same hole, by vertices that stay. Here they go on to the vertex that the
-// other is merged into, since that one then moves to where the error is least; and the shape counts
-// when the place is chosen. Error and place are those of Lindstrom and Turk (1998), see
-// placement.h.
+// vertex, by flips until a weld can take it (`collapse`, stellar.h). In a four-face cluster
+// (clusters.h) the flips stop at four edges and the shape of triangles chooses among them: what is
+// left is a good triangulation of the same hole, by vertices that stay. Here they go on to the
+// vertex that the other is merged into, since that one then moves to where the error is least.
+// Error and place are those of Lindstrom and Turk (1998), see placement.h.
 #ifndef CLERS_TOPOLOGY_MODELING_SIMPLIFY_H
 #define CLERS_TOPOLOGY_MODELING_SIMPLIFY_H
 
