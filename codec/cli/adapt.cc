@@ -192,11 +192,8 @@ Expected<AdaptedMesh> adapt(const Mesh& mesh, const Adaptation& how,
   progress(0.6);
 
   Wanted wanted;
-  const auto in_units = [&](const Extent& e) {
-    return e.of_diagonal ? e.value * result.diagonal : e.value;
-  };
-  if (how.error) wanted.error = in_units(*how.error);
-  if (how.edge_length) wanted.edge_length = in_units(*how.edge_length);
+  if (how.error) wanted.error = how.error->in_units(result.diagonal);
+  if (how.edge_length) wanted.edge_length = how.edge_length->in_units(result.diagonal);
   wanted.level = how.level.value_or(0);
   wanted.near = how.near;
   criteria.set(wanted);

@@ -32,13 +32,18 @@ constexpr unsigned most_levels = MultiTriangulation::max_level;
 
 /// What other programs call our commands.
 const std::map<std::string, std::string> other_names = {
-    {"compress", "encode"},   {"pack", "encode"},       {"zip", "encode"},
-    {"decompress", "decode"}, {"uncompress", "decode"}, {"unpack", "decode"},
-    {"extract", "decode"},    {"restore", "decode"},    {"list", "info"},
-    {"show", "info"},         {"inspect", "info"},      {"stat", "info"},
-    {"test", "verify"},       {"compare", "verify"},    {"diff", "verify"},
-    {"measure", "check"},     {"validate", "check"},    {"refine", "adapt"},
-    {"decimate", "simplify"}, {"reduce", "simplify"}};
+    {"compress", "encode"},     {"pack", "encode"},
+    {"zip", "encode"},          {"decompress", "decode"},
+    {"uncompress", "decode"},   {"unpack", "decode"},
+    {"extract", "decode"},      {"restore", "decode"},
+    {"list", "info"},           {"show", "info"},
+    {"inspect", "info"},        {"stat", "info"},
+    {"test", "verify"},         {"compare", "verify"},
+    {"diff", "verify"},         {"measure", "check"},
+    {"validate", "check"},      {"refine", "adapt"},
+    {"decimate", "simplify"},   {"reduce", "simplify"},
+    {"surface", "reconstruct"}, {"triangulate", "reconstruct"},
+    {"pivot", "reconstruct"}};
 
 std::string in_quotes(const std::string& text) {
   return "'" + printable(text) + "'";
@@ -140,6 +145,7 @@ class CommandLine {
     add_subdivide();
     add_adapt();
     add_simplify();
+    add_reconstruct();
     CLI::App* help = app_.add_subcommand("help", "Explain a command")->group("Commands");
     help->footer("Examples:\n  clers help encode");
     help->add_option("COMMAND", topic_, "what to explain; none: the program")->option_text(" ");
@@ -474,6 +480,47 @@ class CommandLine {
     quiet(simplify);
   }
 
+  void add_reconstruct() {
+    CLI::App& reconstruct =
+        add("reconstruct", cli::reconstruct, "Make surfaces of points",
+            "The points are the vertices of the input, whose faces do not count; its normals\n"
+            "of vertices, if it has any, say which side is outside. The surface grows over\n"
+            "the points triangle by triangle and is always an oriented manifold. It needs no\n"
+            "option; with --radius it goes where balls of these radii rest on three points,\n"
+            "and leaves gaps open that they fall through. A radius somewhat larger than the\n"
+            "distance of neighbours is a good first one.\n\n"
+            "Examples:\n"
+            "  clers reconstruct scan.ply -o mesh.ply\n"
+            "  clers reconstruct scan.ply -o mesh.ply --radius 0.5,1,2\n"
+            "  clers reconstruct scan.obj -o mesh.obj --radius 0.2% --radius 1%");
+    inputs(reconstruct, "points, or meshes: ply, obj, off, stl");
+    output(reconstruct, "the mesh file, or a directory for several");
+    reconstruct
+        .add_option(
+            "--radius",
+            [this](const CLI::results_t& values) {
+              for (const std::string& value : values)
+                for (std::size_t at = 0; at <= value.size();) {
+                  const std::size_t comma = std::min(value.find(',', at), value.size());
+                  options_.reconstruction.radii.push_back(
+                      parse_extent("--radius", value.substr(at, comma - at)));
+                  at = comma + 1;
+                }
+              return true;
+            },
+            "of a ball that rolls over the points, in the units of the file, or with % of the "
+            "diagonal of their bounding box. Several, small to large: each goes on where the one "
+            "before is stuck")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->option_text("R,...");
+    json(reconstruct);
+    from(reconstruct);
+    to(reconstruct, "format of the output; default: by its name, else that of the input");
+    text(reconstruct);
+    force(reconstruct);
+    quiet(reconstruct);
+  }
+
   CLI::App& add(const char* name, Command command, const char* what, const std::string& footer) {
     CLI::App* sub = app_.add_subcommand(name, what)->group("Commands");
     sub->footer(footer);
@@ -641,22 +688,27 @@ class CommandLine {
     return faces;
   }
 
+  /// "0.5" or "0.1%"; above 0, or 0 too.
+  static Extent parse_extent(const char* option, const std::string& given, bool zero = false) {
+    std::string_view text = given;
+    Extent extent;
+    extent.of_diagonal = text.ends_with('%');
+    if (extent.of_diagonal) text.remove_suffix(1);
+    if (!parse(text, extent.value) || !(extent.value < 1e100) ||
+        !(extent.value > 0 || (zero && extent.value == 0)))
+      refuse(option,
+             zero ? "a length such as 0.5 or 0.1%" : "a length above 0, such as 0.5 or 0.1%",
+             given);
+    if (extent.of_diagonal) extent.value /= 100;
+    return extent;
+  }
+
   void extent(CLI::App& sub, const char* name, std::optional<Extent>& target, const char* what,
               bool zero = false) {
     sub.add_option(
            name,
            [&target, name, zero](const CLI::results_t& values) {
-             std::string_view text = values.back();
-             Extent& extent = target.emplace();
-             extent.of_diagonal = text.ends_with('%');
-             if (extent.of_diagonal) text.remove_suffix(1);
-             if (!parse(text, extent.value) || !(extent.value < 1e100) ||
-                 !(extent.value > 0 || (zero && extent.value == 0)))
-               refuse(
-                   name,
-                   zero ? "a length such as 0.5 or 0.1%" : "a length above 0, such as 0.5 or 0.1%",
-                   values.back());
-             if (extent.of_diagonal) extent.value /= 100;
+             target = parse_extent(name, values.back(), zero);
              return true;
            },
            what)

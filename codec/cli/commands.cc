@@ -20,7 +20,9 @@ constexpr Stage subdivide_plan[] = {
 constexpr Stage adapt_plan[] = {
     {"reading", 1}, {"reading", 3}, {"adapting", 94}, {"writing", 1}, {"writing", 1}};
 constexpr Stage simplify_plan[] = {
-    {"reading", 2}, {"reading", 8}, {"simplifying", 80}, {"writing", 10}};
+    {"reading", 2}, {"reading", 8}, {"simplifying", 80}, {"writing", 5}, {"writing", 5}};
+constexpr Stage reconstruct_plan[] = {
+    {"reading", 1}, {"reading", 3}, {"reconstructing", 92}, {"writing", 2}, {"writing", 2}};
 
 /// Writes meshes in a format and saves them, which are two stages.
 Outcome<Done> save_meshes(Job& job, const std::vector<Mesh>& meshes, io::Format format,
@@ -287,13 +289,28 @@ Outcome<Done> simplify_one(const Options& options, Job& job, const Destination& 
   return remake_one(options, job, to, "simplified", work);
 }
 
-/// Runs a command that makes `reports`, and prints these if they are asked for.
-template <class Work>
-Exit for_each_report(const Options& options, std::span<const Stage> plan, Work work) {
+/// `reports`: as of adapt_one.
+Outcome<Done> reconstruct_one(const Options& options, Job& job, const Destination& to,
+                              std::vector<std::string>& reports) {
+  const auto work = [&](Mesh& mesh, io::Format, io::Encoding) -> Outcome<std::string> {
+    auto done = reconstruct(mesh, options.reconstruction,
+                            [&](double share) { job.progress().show(share); });
+    if (!done) return stop(job.name(), done.error());
+    for (const std::string& note : done->notes) job.note(job.name(), note, true);
+    reports.push_back(reconstructed_json(job.name(), *done));
+    mesh = std::move(done->mesh);
+    return describe(*done);
+  };
+  return remake_one(options, job, to, "reconstructed", work);
+}
+
+/// `one` of each input; then what it added to the reports, if JSON is asked for.
+template <class One>
+Exit for_each_report(const Options& options, std::span<const Stage> plan, One one) {
   std::vector<std::string> reports;
   const Exit exit = for_each_output(options, suffix_if_known(options), plan,
                                     [&](const Options& how, Job& job, const Destination& to) {
-                                      return work(how, job, to, reports);
+                                      return one(how, job, to, reports);
                                     });
   if (!options.json || reports.empty()) return exit;
   const auto printed = print((reports.size() == 1 ? reports.front() : json_list(reports)) + "\n");
@@ -322,6 +339,10 @@ Exit adapt(const Options& options) {
 
 Exit simplify(const Options& options) {
   return for_each_report(options, simplify_plan, simplify_one);
+}
+
+Exit reconstruct(const Options& options) {
+  return for_each_report(options, reconstruct_plan, reconstruct_one);
 }
 
 }  // namespace clers::cli

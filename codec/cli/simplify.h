@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "codec/cli/adapt.h"
+#include "codec/cli/extent.h"
 #include "codec/error.h"
 #include "codec/mesh.h"
 #include "topology/characteristic.h"
