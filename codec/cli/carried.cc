@@ -105,30 +105,37 @@ bool Carried::mark_seams(const Track& track, Creases& creases) const {
 
 // ---- Contractions
 
-/// On a side of the edge, which runs there from the one end to the other: along the edge, or where
-/// the place is on the faces around both ends.
+/// For the side of the edge on which this half-edge is.
 Carried::Origin Carried::origin(const Contraction& c, HalfEdge side,
                                 const std::vector<Position3>& at) const {
-  const HalfEdge there = surface_.org(side) == c.gone ? lnext(side) : side,
-                 from = there == side ? lnext(side) : side;
-  if (c.place == at[c.kept.index()] || c.place == at[c.gone.index()] ||
-      creases_.is_sharp(surface_, side))
-    return {{there, from, lprev(side)}, {1 - c.weight, c.weight, 0}};
-  const auto point = [&](Vertex v) {
-    return Vec3{at[v.index()][0], at[v.index()][1], at[v.index()][2]};
+  if (c.place == at[c.kept.index()] || c.place == at[c.gone.index()]) {
+    const bool of_kept = (surface_.org(side) == c.kept) == (c.place == at[c.kept.index()]);
+    return {{side, lnext(side), lprev(side)}, {of_kept ? 1. : 0., of_kept ? 0. : 1., 0}};
+  }
+  const auto point = [&](HalfEdge h) {
+    const Position3& p = at[surface_.org(h).index()];
+    return Vec3{p[0], p[1], p[2]};
   };
   Origin origin;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Vertex end : {c.kept, c.gone})
-    for (const HalfEdge f : surface_.fan(end)) {
-      const std::array<HalfEdge, 3> corners{f, lnext(f), lprev(f)};
-      const PointOfTriangle found =
-          nearest_of({point(end), point(surface_.org(corners[1])), point(surface_.org(corners[2]))},
-                     {c.place[0], c.place[1], c.place[2]});
-      if (!(found.distance2 < nearest)) continue;
-      nearest = found.distance2;
-      origin = {corners, found.weights};
-    }
+  const auto look_at = [&](const std::array<HalfEdge, 3>& corners) {
+    const PointOfTriangle found =
+        nearest_of({point(corners[0]), point(corners[1]), point(corners[2])},
+                   {c.place[0], c.place[1], c.place[2]});
+    if (!(found.distance2 < nearest)) return;
+    nearest = found.distance2;
+    origin = {corners, found.weights};
+  };
+  if (creases_.is_sharp(surface_, side)) {
+    // The place may be beyond an end of the edge: on the curve before or after it.
+    HalfEdge before = lprev(side), after = lnext(side);
+    while (!creases_.is_sharp(surface_, before)) before = lprev(surface_.sym(before));
+    while (!creases_.is_sharp(surface_, after)) after = lnext(surface_.sym(after));
+    for (const HalfEdge h : {side, before, after}) look_at({h, lnext(h), lnext(h)});
+  } else {
+    for (const Vertex end : {c.kept, c.gone})
+      for (const HalfEdge f : surface_.fan(end)) look_at({f, lnext(f), lprev(f)});
+  }
   return origin;
 }
 
