@@ -35,8 +35,8 @@ Simplifier ours(std::string name, double shape) {
 }  // namespace
 
 std::vector<Simplifier> our_simplifiers() {
-  return {ours("clers", SimplifyOptions{}.shape), ours("clers, shape 0", 0),
-          ours("clers, shape 0.003", 0.003)};
+  return {ours("clers", SimplifyOptions{}.shape), ours("clers, shape 0.001", 1e-3),
+          ours("clers, shape 0.004", 4e-3)};
 }
 
 }  // namespace clers::bench

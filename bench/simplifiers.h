@@ -19,7 +19,7 @@ struct Simplifier {
   std::function<Triangles(const Input& input, std::size_t faces)> run;
 };
 
-/// The project's, with the weight of shapes that is the default, none and more.
+/// The project's, with the weight of shapes that is the default, and two for rounder triangles.
 std::vector<Simplifier> our_simplifiers();
 /// Lindstrom and Turk's cost and place, as CGAL has them.
 Simplifier cgal_simplifier();

@@ -11,8 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -20,69 +18,6 @@
 #include "codec/cli/vertex_values.h"
 
 namespace clers::cli {
-
-// ---- Mixtures
-
-MixedValues::MixedValues(const Attribute& of)
-    : of_(of),
-      given_(of.value_count()),
-      mixed_(of.scalar == Scalar::float32 || of.scalar == Scalar::float64 ||
-             size_of(of.scalar) == 1),
-      direction_(of.name == "normal" && of.components == 3 && size_of(of.scalar) > 1) {}
-
-double MixedValues::number(std::uint32_t value, std::size_t k) const {
-  return value < given_
-             ? load(of_.scalar, of_.data.data() + value * of_.stride() + k * size_of(of_.scalar))
-             : mixtures_[(value - given_) * of_.components + k];
-}
-
-std::uint32_t MixedValues::mix(const std::array<std::uint32_t, 3>& of,
-                               const std::array<double, 3>& weights) {
-  std::size_t most = 0;
-  bool mixable = mixed_;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (weights[i] > weights[most]) most = i;
-    if (weights[i] > 0 && of[i] == no_value) mixable = false;
-  }
-  bool alike = true;
-  for (std::size_t i = 0; i < 3; ++i) alike = alike && (weights[i] == 0 || of[i] == of[most]);
-  if (!mixable || alike) return of[most];
-
-  const std::size_t first = mixtures_.size(), n = of_.components;
-  double wanted = 0, found = 0;  // lengths
-  for (std::size_t i = 0; i < 3; ++i) {
-    double squares = 0;
-    for (std::size_t k = 0; k < n && direction_ && weights[i] > 0; ++k)
-      squares += number(of[i], k) * number(of[i], k);
-    wanted += weights[i] * std::sqrt(squares);
-  }
-  for (std::size_t k = 0; k < n; ++k) {
-    double sum = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-      if (weights[i] > 0) sum += weights[i] * number(of[i], k);
-    found += sum * sum;
-    mixtures_.push_back(sum);
-  }
-  if (direction_ && found > 0)
-    for (std::size_t k = 0; k < n; ++k) mixtures_[first + k] *= wanted / std::sqrt(found);
-  return static_cast<std::uint32_t>(given_ + first / n);
-}
-
-bool MixedValues::same(std::uint32_t a, std::uint32_t b) const {
-  if (a == b) return true;
-  if (a >= given_ || b >= given_) return false;
-  const std::byte* data = of_.data.data();
-  return std::memcmp(data + a * of_.stride(), data + b * of_.stride(), of_.stride()) == 0;
-}
-
-void MixedValues::write(std::uint32_t value, std::byte* to) const {
-  if (value < given_) {
-    std::memcpy(to, of_.data.data() + value * of_.stride(), of_.stride());
-    return;
-  }
-  for (std::size_t k = 0; k < of_.components; ++k)
-    store(of_.scalar, number(value, k), to + k * size_of(of_.scalar));
-}
 
 // ---- Elements
 
@@ -170,30 +105,37 @@ bool Carried::mark_seams(const Track& track, Creases& creases) const {
 
 // ---- Contractions
 
-/// On a side of the edge, which runs there from the one end to the other: along the edge, or where
-/// the place is on the faces around both ends.
+/// For the side of the edge on which this half-edge is.
 Carried::Origin Carried::origin(const Contraction& c, HalfEdge side,
                                 const std::vector<Position3>& at) const {
-  const HalfEdge there = surface_.org(side) == c.gone ? lnext(side) : side,
-                 from = there == side ? lnext(side) : side;
-  if (c.place == at[c.kept.index()] || c.place == at[c.gone.index()] ||
-      creases_.is_sharp(surface_, side))
-    return {{there, from, lprev(side)}, {1 - c.weight, c.weight, 0}};
-  const auto point = [&](Vertex v) {
-    return Vec3{at[v.index()][0], at[v.index()][1], at[v.index()][2]};
+  if (c.place == at[c.kept.index()] || c.place == at[c.gone.index()]) {
+    const bool of_kept = (surface_.org(side) == c.kept) == (c.place == at[c.kept.index()]);
+    return {{side, lnext(side), lprev(side)}, {of_kept ? 1. : 0., of_kept ? 0. : 1., 0}};
+  }
+  const auto point = [&](HalfEdge h) {
+    const Position3& p = at[surface_.org(h).index()];
+    return Vec3{p[0], p[1], p[2]};
   };
   Origin origin;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Vertex end : {c.kept, c.gone})
-    for (const HalfEdge f : surface_.fan(end)) {
-      const std::array<HalfEdge, 3> corners{f, lnext(f), lprev(f)};
-      const PointOfTriangle found =
-          nearest_of({point(end), point(surface_.org(corners[1])), point(surface_.org(corners[2]))},
-                     {c.place[0], c.place[1], c.place[2]});
-      if (!(found.distance2 < nearest)) continue;
-      nearest = found.distance2;
-      origin = {corners, found.weights};
-    }
+  const auto look_at = [&](const std::array<HalfEdge, 3>& corners) {
+    const PointOfTriangle found =
+        nearest_of({point(corners[0]), point(corners[1]), point(corners[2])},
+                   {c.place[0], c.place[1], c.place[2]});
+    if (!(found.distance2 < nearest)) return;
+    nearest = found.distance2;
+    origin = {corners, found.weights};
+  };
+  if (creases_.is_sharp(surface_, side)) {
+    // The place may be beyond an end of the edge: on the curve before or after it.
+    HalfEdge before = lprev(side), after = lnext(side);
+    while (!creases_.is_sharp(surface_, before)) before = lprev(surface_.sym(before));
+    while (!creases_.is_sharp(surface_, after)) after = lnext(surface_.sym(after));
+    for (const HalfEdge h : {side, before, after}) look_at({h, lnext(h), lnext(h)});
+  } else {
+    for (const Vertex end : {c.kept, c.gone})
+      for (const HalfEdge f : surface_.fan(end)) look_at({f, lnext(f), lprev(f)});
+  }
   return origin;
 }
 
@@ -251,17 +193,20 @@ void Carried::before(const Contraction& c, const std::vector<Position3>& at) {
 
 void Carried::after(const Contraction& c) {
   if (corners_.empty() && faces_.empty()) return;
+  std::size_t expected = 0;  // they come in the same order but for where they begin
   for (const HalfEdge f : surface_.fan(c.kept)) {
     const Vertex to = surface_.dest(f), next = surface_.org(lprev(f));
-    const auto found = std::find_if(kept_.begin(), kept_.end(),
-                                    [&](const Kept& k) { return k.to == to && k.next == next; });
-    if (found == kept_.end()) continue;
-    const std::uint32_t* value = values_.data() + found->values;
-    for (Track& t : corners_)
-      for (const HalfEdge h : {f, lnext(f), lprev(f)}) t.of[h.index()] = *value++;
-    for (Track& t : faces_) t.of[left(f).index()] = *value++;
-    *found = kept_.back();  // of two alike, each once
-    kept_.pop_back();
+    for (std::size_t tried = 0; tried < kept_.size(); ++tried, ++expected) {
+      if (expected >= kept_.size()) expected = 0;
+      const Kept& kept = kept_[expected];
+      if (kept.to != to || kept.next != next) continue;
+      const std::uint32_t* value = values_.data() + kept.values;
+      for (Track& t : corners_)
+        for (const HalfEdge h : {f, lnext(f), lprev(f)}) t.of[h.index()] = *value++;
+      for (Track& t : faces_) t.of[left(f).index()] = *value++;
+      ++expected;
+      break;
+    }
   }
 }
 

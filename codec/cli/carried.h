@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "codec/cli/mixed_values.h"
 #include "codec/mesh.h"
 #include "codec/surface.h"
 #include "topology/modeling/creases.h"
@@ -14,33 +15,12 @@
 
 namespace clers::cli {
 
-/// Values as they were, and mixtures of them: floats and bytes are mixed, but what other integers
-/// name is one of them. A vector of three called normal keeps its length.
-class MixedValues {
- public:
-  explicit MixedValues(const Attribute& of);
-
-  /// The number of the sum of weighted values; or, where values are not mixed or one is none, the
-  /// one of most weight. Weights sum up to 1.
-  std::uint32_t mix(const std::array<std::uint32_t, 3>& of, const std::array<double, 3>& weights);
-  bool same(std::uint32_t a, std::uint32_t b) const;
-  void write(std::uint32_t value, std::byte* to) const;
-
- private:
-  double number(std::uint32_t value, std::size_t k) const;
-
-  const Attribute& of_;
-  std::size_t given_;
-  bool mixed_, direction_;
-  std::vector<double> mixtures_;  // numbered on from the given ones
-};
-
 /// All attributes of a triangle mesh but its positions, on the way from one surface to a coarser
 /// one. Corners around a vertex that have one value keep one; where they have not, and where faces
 /// have other values, the edges are seams, and creases.
 ///
 ///     Carried carried(mesh, cut, creases, notes);
-///     for each contraction: carried.before(c); contract(..); carried.after(c);
+///     for each contraction: carried.before(c, at); contract(..); carried.after(c);
 class Carried {
  public:
   /// `mesh` and `cut` stay where they are as long as this lives. An attribute whose seams would be
