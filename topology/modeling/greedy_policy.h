@@ -48,8 +48,8 @@ class GreedyPolicy {
   void refused(const AdvancingFront&, HalfEdge) {}
 
   std::optional<std::array<Point, 3>> find_seed(const AdvancingFront& front) {
-    for (; at_seed_ < seeds_.size(); ++at_seed_) {
-      const Seed& s = seeds_[at_seed_];
+    while (at_seed_ < seeds_.size()) {
+      const Seed& s = seeds_[at_seed_++];
       if (!front.is_apart(s.corners[0], s.corners[1], s.corners[2])) continue;
       radius_of_next_ = s.squared_radius;
       return s.corners;

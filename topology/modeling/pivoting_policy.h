@@ -66,6 +66,7 @@ class PivotingPolicy {
     for (std::size_t k = points_.have_normals() ? at_radius_ : 0; k < radii_.size(); ++k)
       if (const auto s = seed(front, k)) {
         at_radius_ = k;
+        ++next_seed_[k];  // whatever becomes of it
         return s;
       }
     return {};

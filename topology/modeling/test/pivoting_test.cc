@@ -178,5 +178,20 @@ TEST(Pivoting, NoiseAndMissingPoints) {
   }
 }
 
+TEST(Pivoting, PointsInABlockGiveSomeManifold) {
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> share(0, 5);
+  std::uniform_int_distribution<int> cell(0, 5);
+  Points cloud, lattice;  // of the latter many lie on one sphere
+  for (int i = 0; i < 400; ++i) {
+    cloud.push_back({share(random), share(random), share(random)});
+    lattice.push_back({1. * cell(random), 1. * cell(random), 1. * cell(random)});
+  }
+  for (const std::vector<double>& radii : {std::vector{0.8}, {0.6, 0.9, 3}, {100.}}) {
+    EXPECT_GT(made(cloud, balls(radii)).surface.characteristic().f, 3);
+    EXPECT_GT(made(lattice, balls(radii)).surface.characteristic().f, 3);
+  }
+}
+
 }  // namespace
 }  // namespace clers
