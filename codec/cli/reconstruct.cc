@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "codec/cli/report.h"
+#include "codec/cli/triangle_shape.h"
 #include "codec/cli/vertex_values.h"
 #include "codec/surface.h"
 #include "topology/modeling/reconstruct.h"
@@ -69,8 +70,7 @@ struct Points {
   }
 };
 
-/// Edges, and how near triangles are to equilateral ones: twice the radius of the circle inside by
-/// that of the one around, 0 to 1.
+/// Edges, and shapes of triangles.
 void measure(const Surface& surface, const Points& points, ReconstructedMesh& result) {
   std::vector<double> edges, ratios;
   for (const Face f : surface.faces()) {
@@ -82,18 +82,14 @@ void measure(const Surface& surface, const Points& points, ReconstructedMesh& re
       if (surface.is_boundary(h)) ++result.open_edges;
       if (surface.is_boundary(h) || h < surface.sym(h)) edges.push_back(side[i]);
     }
-    const auto [a, b, c] = side;
-    ratios.push_back((b + c - a) * (c + a - b) * (a + b - c) / (a * b * c));
+    ratios.push_back(radius_ratio(side[0], side[1], side[2]));
   }
-  const auto at = [](std::vector<double>& values, std::size_t part) {
-    const auto nth = values.begin() + static_cast<std::ptrdiff_t>(values.size() / part);
-    std::nth_element(values.begin(), nth, values.end());
-    return *nth;
-  };
+  const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
+  std::nth_element(edges.begin(), middle, edges.end());
   result.after = surface.characteristic();
-  result.median_edge = at(edges, 2);
+  result.median_edge = *middle;
   for (const double r : ratios) result.mean_ratio += r / static_cast<double>(ratios.size());
-  result.low_ratio = at(ratios, 20);
+  result.low_ratio = low_ratio(ratios);
 }
 
 void note_what_is_left(ReconstructedMesh& r) {

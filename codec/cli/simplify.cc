@@ -12,35 +12,26 @@
 #include "codec/cli/carried.h"
 #include "codec/cli/places.h"
 #include "codec/cli/report.h"
+#include "codec/cli/triangle_shape.h"
 #include "codec/cli/triangulated.h"
 #include "codec/surface.h"
 
 namespace clers::cli {
 namespace {
 
-/// Of the radius of the circle within to that of the one around, twice: 1 if equilateral, 0 of a
-/// triangle without area.
-double radius_ratio(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double u = length(b - a), v = length(c - b), w = length(a - c);
-  const double twice_area = length(cross(b - a, c - a)), product = u * v * w * (u + v + w);
-  return product > 0 ? 4 * twice_area * twice_area / product : 0;
-}
-
 /// That which 5 % of the faces do not reach.
 double worst_ratio(const Surface& surface, const std::vector<Position3>& at) {
   std::vector<double> ratios;
   for (const Face f : surface.faces()) {
-    std::array<Vec3, 3> corner;
+    std::array<double, 3> side;
     for (unsigned i = 0; i < 3; ++i) {
-      const Position3& p = at[surface.org(half_edge(f, i)).index()];
-      corner[i] = {p[0], p[1], p[2]};
+      const Position3 &p = at[surface.org(half_edge(f, i)).index()],
+                      &q = at[surface.dest(half_edge(f, i)).index()];
+      side[i] = length(Vec3{q[0] - p[0], q[1] - p[1], q[2] - p[2]});
     }
-    ratios.push_back(radius_ratio(corner[0], corner[1], corner[2]));
+    ratios.push_back(radius_ratio(side[0], side[1], side[2]));
   }
-  if (ratios.empty()) return 0;
-  const auto worst = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 20);
-  std::nth_element(ratios.begin(), worst, ratios.end());
-  return *worst;
+  return low_ratio(ratios);
 }
 
 std::string many(std::uint64_t n, const char* one, const char* more) {

@@ -113,7 +113,7 @@ class ClusterSimplification::State {
     ++result_.contracted, ++gone_;
   }
 
-  const Simplified& result() const { return result_; }
+  const SimplifyResult& result() const { return result_; }
   std::uint32_t steps() const { return step_; }
 
  private:
@@ -264,7 +264,7 @@ class ClusterSimplification::State {
   std::uint32_t step_ = 0;
   std::uint64_t gone_ = 0;  // in this step
   bool all_ = false, too_far_ = false;
-  Simplified result_;
+  SimplifyResult result_;
 };
 
 std::optional<SimplifyFault> ClusterSimplification::refuse(const Surface& surface,
@@ -288,7 +288,7 @@ std::optional<Removal> ClusterSimplification::next() {
 void ClusterSimplification::removed(const Removal& r) {
   state_->removed(r);
 }
-const Simplified& ClusterSimplification::result() const {
+const SimplifyResult& ClusterSimplification::result() const {
   return state_->result();
 }
 std::uint32_t ClusterSimplification::steps() const {

@@ -62,7 +62,7 @@ class ClusterSimplification {
   /// It was removed.
   void removed(const Removal& r);
   /// `contracted` counts the vertices that are gone.
-  const Simplified& result() const;
+  const SimplifyResult& result() const;
   /// Steps that were begun: N of the paper.
   std::uint32_t steps() const;
 
@@ -106,11 +106,11 @@ void remove(Surface& surface, Creases& creases, const Removal& r, Observer&& obs
 /// Errors: a SimplifyFault, nothing changed. Throws std::bad_alloc: the surface then is that of
 /// some removal. Ids: as of remove(). Deterministic. Cost: O(V log V) where degrees are bounded.
 template <class Observer = NoObserver>
-Result<Simplified, SimplifyFault> simplify_by_clusters(Surface& surface,
-                                                       std::span<const Position3> positions,
-                                                       Creases& creases,
-                                                       const ClusterOptions& options,
-                                                       Observer&& observer = {}) {
+Result<SimplifyResult, SimplifyFault> simplify_by_clusters(Surface& surface,
+                                                           std::span<const Position3> positions,
+                                                           Creases& creases,
+                                                           const ClusterOptions& options,
+                                                           Observer&& observer = {}) {
   if (const auto why = ClusterSimplification::refuse(surface, positions, options))
     return Failure{*why};
   ClusterSimplification clusters(surface, positions, creases, options);
