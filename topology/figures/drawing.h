@@ -63,6 +63,9 @@ std::string weld_by_star();
 std::string dependencies_in_refinement();
 std::string dependencies_in_simplification();
 std::string dependencies();
+// simplification_figures.cc,
+std::string four_face_cluster();
+std::string shapes_of_triangles();
 // shaded_figures.cc.
 std::string deforming_sphere();
 std::string brush_of_resolution();
