@@ -44,6 +44,8 @@ int main(int argc, char** argv) {
   save(directory, "fig13-advancing-front.svg", advancing_front());
   save(directory, "fig14-edgebreaker.svg", moves_of_edgebreaker());
   save(directory, "fig15-sqrt3.svg", sqrt3_rules());
+  save(directory, "fig16-four-face-cluster.svg", four_face_cluster());
+  save(directory, "fig17-shapes-of-triangles.svg", shapes_of_triangles());
   save(directory, "fig18-dependencies.svg", dependencies());
   save(directory, "fig19-deforming-sphere.svg", deforming_sphere());
   save(directory, "dam05-interleaved-refinement.svg", interleaved_refinement());

@@ -65,6 +65,9 @@ std::string dependencies_in_simplification();
 std::string dependencies();
 // front_figure.cc,
 std::string advancing_front();
+// simplification_figures.cc,
+std::string four_face_cluster();
+std::string shapes_of_triangles();
 // shaded_figures.cc.
 std::string deforming_sphere();
 std::string brush_of_resolution();

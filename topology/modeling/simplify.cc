@@ -7,24 +7,21 @@
 #include <tuple>
 #include <utility>
 
-#include "topology/modeling/placement.h"
+#include "topology/modeling/edge_costs.h"
 
 namespace CLERS_VISIBLE clers {
 
-using internal::EdgeSums;
-using internal::StarSums;
 using internal::Vector3;
 
 /// Edges wait with the end of the lower id, each vertex with the cheapest of its own. What changes
 /// around a vertex is looked at when its turn comes, not before: costs mostly rise.
-class Simplification::State {
+class Simplification::State : internal::EdgeCosts {
  public:
   State(const Surface& surface, std::vector<Position3>& positions, const Creases& creases,
         const SimplifyOptions& options)
-      : surface_(surface), positions_(positions), creases_(creases), options_(options) {
-    const std::size_t n = surface.vertex_limit();
-    of_.resize(n);
-    move_to_origin();
+      : EdgeCosts(surface, positions, creases, options.shape),
+        positions_(positions),
+        options_(options) {
     heap_.reserve(static_cast<std::size_t>(surface.characteristic().v));
     for (const Vertex v : surface.vertices()) {
       evaluate(v);
@@ -78,47 +75,18 @@ class Simplification::State {
   const SimplifyResult& result() const { return result_; }
 
  private:
-  struct Best {
-    Vertex with;
-    bool checked = false;
-    double cost = 0, off = 0;
-    Vector3 place;
-  };
   struct Entry {
     std::uint32_t cost, vertex, turn;
     bool operator<(const Entry& o) const {
       return cost != o.cost ? cost > o.cost : vertex > o.vertex;
     }
   };
-  /// Costs that differ by less than a fifth are one: of these the lowest ids go first, which are
-  /// near each other in memory. That halves the time, and the error does not notice.
+  /// Four ranks to a doubling: of one rank the lowest ids go first, which are near each other in
+  /// memory. That takes a third of the time off, and the error does not notice.
   static std::uint32_t rank(double cost) {
     return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(cost) >> 50);
   }
 
-  /// Near the origin and of size 1, so that sixth powers of lengths are numbers.
-  void move_to_origin() {
-    constexpr double far = std::numeric_limits<double>::infinity();
-    Vector3 low{far, far, far}, high{-far, -far, -far};
-    for (const Vertex v : surface_.vertices())
-      for (std::size_t i = 0; i < 3; ++i) {
-        low[i] = std::min(low[i], positions_[v.index()][i]);
-        high[i] = std::max(high[i], positions_[v.index()][i]);
-      }
-    double size = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-      if (high[i] >= low[i]) {
-        centre_[i] = low[i] / 2 + high[i] / 2;
-        size = std::max(size, high[i] - low[i]);
-      }
-    int exponent = 0;
-    if (size > 0) (void)std::frexp(size, &exponent);
-    scale_ = std::ldexp(1, -std::max(exponent, -1000));
-    for (const Vertex v : surface_.vertices()) of_[v.index()].at = local(positions_[v.index()]);
-  }
-  Vector3 local(const Position3& p) const { return scale_ * (Vector3(p) - centre_); }
-
-  const Vector3& at(Vertex v) const { return of_[v.index()].at; }
   void put(Vertex v) {
     heap_.push_back({rank(of_[v.index()].best.cost), v.index(), ++of_[v.index()].turn});
     std::push_heap(heap_.begin(), heap_.end());
@@ -157,26 +125,9 @@ class Simplification::State {
       if (of_[v.index()].best.with)
         put(v);
       else
-        too_far_ = too_far_ || of_[v.index()].best.off > 0;
+        too_far_ = too_far_ || of_[v.index()].best.too_far;
     }
     return !heap_.empty();
-  }
-
-  const StarSums& star(Vertex v) {
-    StarSums& sums = of_[v.index()].star;
-    if (of_[v.index()].star_made > of_[v.index()].touched) return sums;
-    of_[v.index()].star_made = now_ + 1;
-    sums = StarSums();
-    const Vector3& x = at(v);
-    for (const HalfEdge f : surface_.fan(v)) {
-      const Vector3 p = at(surface_.dest(f)) - x;
-      sums.add_face(p, at(surface_.org(lprev(f))) - x);
-      sums.add_neighbour(p);
-    }
-    if (surface_.is_boundary(v))
-      for (const HalfEdge h : surface_.star(v))
-        if (surface_.dest(h) == v) sums.add_neighbour(at(surface_.org(h)) - x);
-    return sums;
   }
 
   /// The cheapest edge from v to a vertex of a greater id, which mostly may be contracted: whether
@@ -189,16 +140,18 @@ class Simplification::State {
     of_[v.index()].best = best;
     of_[v.index()].evaluated = now_;
   }
-  /// The cheapest that may be contracted. Without one, `off` says whether one was too far.
+  /// The cheapest that may be contracted. Without one, `too_far` says whether one was.
   void evaluate_all(Vertex v) {
     Best best;
     bool too_far = false;
     for_each_edge(v, [&](Best& b, HalfEdge h) {
       if (best.with && cheaper(best, b)) return;
-      if (may_go(h, b)) best = b;
-      too_far = too_far || b.off > options_.error * scale_;
+      if (may_go(h, b))
+        best = b;
+      else
+        too_far = too_far || b.too_far;
     });
-    if (!best.with) best.off = too_far ? 1 : 0;
+    if (!best.with) best.too_far = too_far;
     of_[v.index()].best = best;
     of_[v.index()].evaluated = now_;
   }
@@ -212,93 +165,13 @@ class Simplification::State {
     }
   }
   bool may_go(HalfEdge h, Best& b) const {
-    b.checked =
-        keeps_sides(h, b) && link_condition(surface_, h) && b.off <= options_.error * scale_;
+    if (!keeps_sides(h, b) || !link_condition(surface_, h)) return false;
+    b.too_far = b.off > options_.error * scale_;
+    b.checked = !b.too_far;
     return b.checked;
   }
   static bool cheaper(const Best& a, const Best& b) {
     return a.cost != b.cost ? a.cost < b.cost : a.with < b.with;
-  }
-
-  /// Where the ends of h, v and another, go together, and what that costs. Creases stay curves: a
-  /// vertex of one may only go along it, and a smooth one only to it.
-  bool place(HalfEdge h, Vertex v, const SharpEdges& at_v, Best& b) {
-    const Vertex w = b.with;
-    const SharpEdges at_w = sharp_edges(surface_, creases_, w);
-    const bool along = creases_.is_sharp(surface_, h);
-    if (at_v.count != 0 && at_w.count != 0) {
-      if (!along || (!at_v.curve() && !at_w.curve())) return false;
-      for (const HalfEdge side :
-           surface_.star(h))  // nothing would be left of a curve around a face
-        if (creases_.is_sharp(surface_, lnext(side)) && creases_.is_sharp(surface_, lprev(side)))
-          return false;
-    }
-    const Vector3 half = 0.5 * (at(w) - at(v)), middle = 0.5 * (at(v) + at(w));
-    const StarSums& first = star(v);
-    EdgeSums both(first, star(w), half);
-    for (const HalfEdge side : surface_.star(h)) {
-      const Vector3& x = at(surface_.org(side));
-      const Vector3& c = at(surface_.org(lprev(side)));
-      both.remove_face(c - middle, cross(at(surface_.dest(side)) - x, c - x));
-    }
-    if (at_v.curve() || at_w.curve()) {
-      const double length = 2 * std::sqrt(squared(half));
-      if (along) both.add_curve(half + half, length, half, 0);
-      for (const auto& [x, sharp, sign] : {std::tuple(v, &at_v, 1.), std::tuple(w, &at_w, -1.)})
-        if (sharp->curve())
-          for (const Vertex end : sharp->ends)
-            if (end != v && end != w) both.add_curve(at(end) - at(x), length, half, sign);
-    }
-    const double s = both.weight(options_.shape);
-    const bool v_stays = fixed(at_v, along), w_stays = fixed(at_w, along);
-    const Vector3 y = v_stays ? -1 * half : w_stays ? half : both.best(s);
-    b.place = v_stays ? at(v) : w_stays ? at(w) : middle + y;
-    b.cost = both.cost(y, s);
-    // What is forgotten at each step is remembered a little: an edge goes later where the surface
-    // has moved already, so that it moves nowhere much farther than elsewhere.
-    const double moved = std::max(of_[v.index()].off, of_[w.index()].off);
-    b.cost += 0.01 * moved * moved * both.trace();
-    return std::isfinite(b.cost);
-  }
-  /// Does an end stay where it is, if the edge is sharp or not?
-  static bool fixed(const SharpEdges& sharp, bool along) {
-    return sharp.count != 0 && !(along && sharp.curve());
-  }
-
-  /// Does no face that stays turn over? Finds how far the surface moves.
-  bool keeps_sides(HalfEdge h, Best& b) const {
-    const Vertex u = surface_.org(h), w = surface_.dest(h);
-    double farthest = 0;  // squared
-    for (const auto& [x, y] : {std::pair(u, w), std::pair(w, u)})
-      for (const HalfEdge f : surface_.fan(x)) {
-        const Vertex p = surface_.dest(f), r = surface_.org(lprev(f));
-        const Vector3 before = cross(at(p) - at(x), at(r) - at(x));
-        const double size = squared(before);
-        if (size > 0) {
-          const double d = dot(before, b.place - at(x));
-          farthest = std::max(farthest, d * d / size);
-        }
-        if (p == y || r == y) continue;
-        const Vector3 after = cross(at(p) - b.place, at(r) - b.place);
-        if (const double d = dot(before, after);
-            size > 0 && !(d > 0 && d * d > 0.04 * size * squared(after)))
-          return false;
-      }
-    for (const Vertex x : {u, w}) farthest = std::max(farthest, off_curve(x, b.place));
-    b.off = std::max(of_[u.index()].off, of_[w.index()].off) + std::sqrt(farthest);
-    return true;
-  }
-  /// The square of the distance of a place from the lines of a curve through x.
-  double off_curve(Vertex x, const Vector3& place) const {
-    const SharpEdges sharp = sharp_edges(surface_, creases_, x);
-    double farthest = 0;
-    if (sharp.curve())
-      for (const Vertex end : sharp.ends) {
-        const Vector3 along = at(end) - at(x);
-        if (const double size = squared(along); size > 0)
-          farthest = std::max(farthest, squared(cross(along, place - at(x))) / size);
-      }
-    return farthest;
   }
 
   Contraction contraction(Vertex v, const Best& b) const {
@@ -321,21 +194,8 @@ class Simplification::State {
     return c;
   }
 
-  const Surface& surface_;
   std::vector<Position3>& positions_;
-  const Creases& creases_;
   SimplifyOptions options_;
-  Vector3 centre_;
-  double scale_ = 1;
-  struct alignas(64) OfVertex {
-    Vector3 at;
-    double off = 0;  // how far the surface has moved there
-    std::uint32_t touched = 0, star_made = 0, evaluated = 0, turn = 0;
-    Best best;
-    StarSums star;
-  };
-  std::vector<OfVertex> of_;
-  std::uint32_t now_ = 0;
   std::vector<Entry> heap_;
   bool too_far_ = false;
   SimplifyResult result_;

@@ -85,7 +85,7 @@ struct Contraction {
 ///
 /// Surface, positions and creases are the caller's, and stay where they are as long as this lives.
 /// Nothing else may change the surface meanwhile. Preconditions: `refuse` has nothing to say.
-/// Memory: some 300 bytes a vertex.
+/// Memory: some 250 bytes a vertex.
 class Simplification {
  public:
   static std::optional<SimplifyFault> refuse(const Surface& surface,
