@@ -19,7 +19,8 @@ struct Simplifier {
   std::function<Triangles(const Input& input, std::size_t faces)> run;
 };
 
-/// The project's, with the weight of shapes that is the default, and two for rounder triangles.
+/// The project's, with the weight of shapes that is the default, two for rounder triangles, and by
+/// four-face clusters, which move no vertex.
 std::vector<Simplifier> our_simplifiers();
 /// Lindstrom and Turk's cost and place, as CGAL has them.
 Simplifier cgal_simplifier();
