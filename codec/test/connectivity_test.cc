@@ -209,16 +209,16 @@ TEST(Connectivity, NoFaces) {
 }
 
 TEST(Connectivity, HolesAndHandles) {
-  check(arrays_of(corpus::punch_holes(corpus::icosphere(4), 40, 1)));
-  check(arrays_of(corpus::punch_holes(corpus::torus(40, 30), 30, 2)));
-  check(arrays_of(corpus::gyroid(1, 1, 1, 12, corpus::Ends::periodic)));
-  check(arrays_of(corpus::gyroid(2, 2, 1, 10, corpus::Ends::capped)));
-  check(arrays_of(corpus::gyroid(2, 2, 2, 10, corpus::Ends::open)));
+  check(arrays_of(corpus::punch_holes(corpus::icosphere(3), 30, 1)));
+  check(arrays_of(corpus::punch_holes(corpus::torus(30, 20), 30, 2)));
+  check(arrays_of(corpus::gyroid(1, 1, 1, 10, corpus::Ends::periodic)));
+  check(arrays_of(corpus::gyroid(2, 2, 1, 7, corpus::Ends::capped)));
+  check(arrays_of(corpus::gyroid(2, 2, 2, 6, corpus::Ends::open)));
   check(arrays_of(corpus::copies(corpus::punch_holes(corpus::torus(10, 10), 4, 3), 5)));
 }
 
 TEST(Connectivity, IrregularAndShuffled) {
-  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
     check(arrays_of(corpus::flip_edges(corpus::icosphere(3), 3000, seed)));
     check(arrays_of(corpus::shuffle(corpus::flip_edges(corpus::grid(20, 30), 2000, seed), seed)));
     check(arrays_of(corpus::shuffle(corpus::gyroid(2, 1, 1, 10, corpus::Ends::open), seed)));
@@ -231,7 +231,7 @@ TEST(Connectivity, RandomGluings) {
   for (const unsigned zips : {0u, 50u, 90u, 100u})
     for (const unsigned boundary : {0u, 5u, 25u})
       for (const unsigned apart : {0u, 10u})
-        for (std::uint32_t triangles = 1; triangles <= 60; ++triangles) {
+        for (std::uint32_t triangles = 1; triangles <= 60; triangles += triangles < 20 ? 1 : 4) {
           corpus::GluingOptions options;
           options.zips = zips;
           options.boundary = boundary;
@@ -325,15 +325,19 @@ TEST(Connectivity, AlteredStreamsGiveSurfacesOrErrors) {
     return static_cast<std::uint32_t>(random >> 33);
   };
   int decoded = 0;
+  std::vector<std::byte> unaltered;
   for (int round = 0; round < 4000; ++round) {
-    Arrays in = arrays_of(corpus::shuffle(
-        round % 2 ? corpus::punch_holes(corpus::torus(8, 7), 3, static_cast<std::uint64_t>(round))
-                  : corpus::gyroid(1, 1, 1, 8, corpus::Ends::open),
-        static_cast<std::uint64_t>(round)));
-    constexpr int levels[] = {1, 3, 5, 9};
-    auto coded = encode_connectivity({in.org, in.twins, in.vertex_count}, levels[round / 2 % 4]);
-    ASSERT_TRUE(coded.ok());
-    std::vector<std::byte> bytes = coded->bytes;
+    if (const int mesh = round / 10; round % 10 == 0) {
+      Arrays in = arrays_of(corpus::shuffle(
+          mesh % 2 ? corpus::punch_holes(corpus::torus(8, 7), 3, static_cast<std::uint64_t>(mesh))
+                   : corpus::gyroid(1, 1, 1, 8, corpus::Ends::open),
+          static_cast<std::uint64_t>(mesh)));
+      constexpr int levels[] = {1, 3, 5, 9};
+      auto coded = encode_connectivity({in.org, in.twins, in.vertex_count}, levels[mesh / 2 % 4]);
+      ASSERT_TRUE(coded.ok());
+      unaltered = coded->bytes;
+    }
+    std::vector<std::byte> bytes = unaltered;
     for (std::uint32_t k = next() % 3 + 1; k-- > 0;)
       bytes[next() % bytes.size()] ^= static_cast<std::byte>(1u << next() % 8);
     auto out = decode(bytes);

@@ -63,11 +63,11 @@ struct Named {
 std::vector<Named> meshes() {
   const Mesh parts[] = {corpus::tetrahedron(), corpus::grid(2, 3), corpus::torus(3, 4)};
   std::vector<Named> all = {{"pair", corpus::glued_pair()},
-                            {"ball", corpus::icosphere(2)},
-                            {"shuffled grid", corpus::shuffle(corpus::grid(12, 11), 1)},
-                            {"torus", corpus::flip_edges(corpus::torus(11, 12), 200, 2)},
+                            {"ball", corpus::icosphere(1)},
+                            {"shuffled grid", corpus::shuffle(corpus::grid(8, 7), 1)},
+                            {"torus", corpus::flip_edges(corpus::torus(8, 7), 90, 2)},
                             {"holes", corpus::punch_holes(corpus::icosphere(2), 6, 3)},
-                            {"gyroid", corpus::gyroid(1, 1, 1, 6, corpus::Ends::open)},
+                            {"gyroid", corpus::gyroid(1, 1, 1, 5, corpus::Ends::open)},
                             {"parts", corpus::disjoint_union(parts)},
                             {"moebius", corpus::moebius_strip(17, 3)},
                             {"fan", corpus::fan(90)},

@@ -54,7 +54,7 @@ unsigned long_runs() {
 }
 
 TEST(Soup, SmallOnesSurvive) {
-  const unsigned count = 10000 * long_runs();
+  const unsigned count = 5000 * long_runs();
   for (unsigned i = 0; i < count; ++i) {
     Random random(i);
     const std::uint32_t vertices = 1 + below(random, 9), most = i % 2 ? 3 : 6;

@@ -1,7 +1,6 @@
 // Memory that runs out: whichever allocation fails, the operator has changed nothing.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <new>
 
 #include "topology/derived.h"
@@ -9,35 +8,8 @@
 #include "topology/element_data.h"
 #include "topology/stellar.h"
 #include "topology/test/meshes.h"
+#include "topology/test/scarce_memory.h"
 #include "topology/validate.h"
-
-namespace {
-
-long remaining = -1;  // allocations that still succeed; negative: all do
-long made = 0;
-std::size_t bytes = 0;
-
-void* allocate(std::size_t size) {
-  ++made;
-  bytes += size;
-  if (remaining == 0) throw std::bad_alloc();
-  if (remaining > 0) --remaining;
-  void* p = std::malloc(size == 0 ? 1 : size);
-  if (p == nullptr) throw std::bad_alloc();
-  return p;
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  return allocate(size);
-}
-void operator delete(void* p) noexcept {
-  std::free(p);
-}
-void operator delete(void* p, std::size_t) noexcept {
-  std::free(p);
-}
 
 namespace clers {
 namespace {
@@ -50,13 +22,13 @@ int starve(const Surface& surface, Operator run) {
   for (int allocations = 0;; ++allocations) {
     Surface s = surface;
     bool failed = false;
-    remaining = allocations;
+    test::memory::remaining = allocations;
     try {
       run(s);
     } catch (const std::bad_alloc&) {
       failed = true;
     }
-    remaining = -1;
+    test::memory::remaining = -1;
     EXPECT_TRUE(validate(s).empty());
     if (!failed) return allocations;
     EXPECT_EQ(dump(s), before);
@@ -134,14 +106,14 @@ TEST(Memory, OperatorsFailWithoutAChangeWhereContainersFollow) {
     Surface x = s;
     VertexData<int> data(x, 1);
     data[Vertex(3)] = 4;
-    remaining = allocations;
+    test::memory::remaining = allocations;
     bool failed = false;
     try {
       (void)x.split(inside, Point(7));
     } catch (const std::bad_alloc&) {
       failed = true;
     }
-    remaining = -1;
+    test::memory::remaining = -1;
     EXPECT_EQ(data[Vertex(3)], 4);
     EXPECT_EQ(data.values().size(), failed ? s.vertex_limit() : s.vertex_limit() + 1);
     EXPECT_EQ(data.values().size(), x.vertex_limit());
@@ -152,10 +124,10 @@ TEST(Memory, NodesOfCurvesAreThereForTheBoundaryAlone) {
   for (const Surface& s : {test::torus(40, 40), test::grid(40, 40)}) {
     const Characteristic& c = s.characteristic();
     const std::int64_t boundary_edges = 2 * c.e - 3 * c.f;
-    const std::size_t before = bytes;
+    const std::size_t before = test::memory::bytes;
     const Surface copy = s;
     // As surface.h says, and some for a curve and a component.
-    EXPECT_LE(bytes - before,
+    EXPECT_LE(test::memory::bytes - before,
               static_cast<std::size_t>(28 * c.f + 16 * c.v + 24 * boundary_edges + 200));
     EXPECT_EQ(copy.face_limit(), s.face_limit());
   }
@@ -203,10 +175,10 @@ TEST(Memory, QueriesAndRepeatedOperatorsAllocateNothing) {
     return sum;
   };
   for (int i = 0; i < 4; ++i) round();  // a collapse may give back another vertex than was split
-  const long before = made;
+  const long before = test::memory::made;
   const std::uint32_t first = round();
   for (int i = 0; i < 3; ++i) round();
-  EXPECT_EQ(made, before);
+  EXPECT_EQ(test::memory::made, before);
   EXPECT_NE(first, 0u);
 }
 

@@ -17,10 +17,11 @@ for command in $commands; do
 done
 
 # Options of a command as its help has them, the names of one option on a line: "-o --output".
-groups() {
-  "$clers" $1 --help | sed -n '/^Options:/,/^$/s/^  \(-[^ ]*\).*/\1/p' | tr , ' ' |
-    sed 's/^-1$/-1\n-2\n-3\n-4\n-5\n-6\n-7\n-8\n-9/'
-}
+for command in $commands ""; do
+  "$clers" $command --help | sed -n '/^Options:/,/^$/s/^  \(-[^ ]*\).*/\1/p' | tr , ' ' |
+    sed 's/^-1$/-1\n-2\n-3\n-4\n-5\n-6\n-7\n-8\n-9/' >"options of $command"
+done
+groups() { cat "options of $1"; }
 names() { tr ' ' '\n' | sort -u; }
 
 # Every option that the help names is one to the parser, which says so by what it complains of.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <new>
 #include <vector>
 
@@ -13,31 +12,8 @@
 #include "topology/modeling/adaptive_mesh.h"
 #include "topology/modeling/dynamic_adaptation.h"
 #include "topology/modeling/test/bases.h"
+#include "topology/test/scarce_memory.h"
 #include "topology/validate.h"
-
-namespace {
-
-long remaining = -1;  // allocations that still succeed; negative: all do
-
-void* allocate(std::size_t size) {
-  if (remaining == 0) throw std::bad_alloc();
-  if (remaining > 0) --remaining;
-  void* p = std::malloc(size == 0 ? 1 : size);
-  if (p == nullptr) throw std::bad_alloc();
-  return p;
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  return allocate(size);
-}
-void operator delete(void* p) noexcept {
-  std::free(p);
-}
-void operator delete(void* p, std::size_t) noexcept {
-  std::free(p);
-}
 
 namespace clers {
 namespace {
@@ -76,13 +52,13 @@ template <class Run>
 int starve(Mesh& mesh, const VertexData<int>& marks, Run run) {
   for (int allocations = 0;; ++allocations) {
     bool failed = false;
-    remaining = allocations;
+    test::memory::remaining = allocations;
     try {
       run();
     } catch (const std::bad_alloc&) {
       failed = true;
     }
-    remaining = -1;
+    test::memory::remaining = -1;
     expect_whole(mesh, marks);
     if (!failed || testing::Test::HasFatalFailure()) return allocations;
   }
@@ -119,14 +95,14 @@ TEST(AdaptiveMemory, OneRefinementFailsBetweenSplits) {
       if (!finest || mesh.mesh().level(f) > mesh.level(finest)) finest = half_edge(f, 0);
     const std::int64_t before = mesh.surface().characteristic().f;
     const unsigned makes = mesh.mesh().growth(finest).faces;
-    remaining = allocations;
+    test::memory::remaining = allocations;
     bool failed = false;
     try {
       (void)mesh.mesh().refine(finest, observer);
     } catch (const std::bad_alloc&) {
       failed = true;
     }
-    remaining = -1;
+    test::memory::remaining = -1;
     expect_whole(mesh, marks);
     if (failed)
       EXPECT_LT(mesh.surface().characteristic().f, before + makes);
