@@ -217,8 +217,9 @@ Need needed(const Call& call) {
 /// Peaks are within every limit, whatever the number of threads, which changes no outcome. Where
 /// files are honest, what is needed is not much more than what is taken.
 void expect_within_limits(std::span<const std::byte> bytes, bool honest = false) {
-  for (const auto& [name, call] : calls_on(bytes)) {
-    SCOPED_TRACE(name);
+  for (const auto& named : calls_on(bytes)) {
+    SCOPED_TRACE(named.name);
+    const auto& call = named.call;  // clang 14 captures no structured binding
     const Need need = needed(call);
     std::optional<Outcome> done;  // the last one that took what it needed, for one thread
     const auto try_limit = [&](const Limits& limits) {
