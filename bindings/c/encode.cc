@@ -106,7 +106,7 @@ Expected<GivenMesh> mesh_of(const clers_mesh& given, std::vector<AttributePrecis
   if (!attributes) return Failure{attributes.error()};
   mesh.attributes.reserve(attributes->size());
   for (std::size_t i = 0; i < attributes->size(); ++i) {
-    const clers_attribute& a = (*attributes)[i];
+    const clers_attribute a = (*attributes)[i];
     const auto view = attribute_of(a, mesh.view);
     if (!view) return Failure{view.error()};
     auto precision = precision_of(a);

@@ -19,15 +19,18 @@ inline Failure<Error> bad_option(std::string what) {
   return fail(ErrorCode::bad_option, std::move(what));
 }
 
-/// The size that a struct says, if it is one: at least that of the first version that had it, and
-/// nothing set that this library does not know. Whoever adds fields to one keeps as `least` the
-/// size that it had without them, and gives what is missing its default.
+/// The least size that a program may say a struct has: that of the first version that had it.
+/// Whoever adds fields to one keeps here what it was before.
 template <class T>
-Expected<Done> check_size(const T* given, const char* what, std::size_t least = sizeof(T)) {
+inline constexpr std::size_t least_size = sizeof(T);
+
+/// Is it a struct, and is nothing set that this library does not know?
+template <class T>
+Expected<Done> check_struct(const T* given, const char* what) {
   const auto refuse = [&](const std::string& why) { return bad_option(what + why); };
   if (given == nullptr) return refuse(" is NULL");
   const std::size_t size = given->size;
-  if (size < least || size % alignof(T) != 0)
+  if (size < least_size<T> || size % alignof(T) != 0)
     return refuse(" has a size of " + std::to_string(size) + ", expected " +
                   std::to_string(sizeof(T)));
   const auto* bytes = reinterpret_cast<const unsigned char*>(given);
@@ -37,11 +40,19 @@ Expected<Done> check_size(const T* given, const char* what, std::size_t least = 
   return Done{};
 }
 
+/// A struct that was checked, with 0 for what it is too small to have.
+template <class T>
+T copied(const T* given) {
+  T value{};
+  std::memcpy(static_cast<void*>(&value), given, std::min(given->size, sizeof(T)));
+  return value;
+}
+
 /// What the caller set in a struct that goes in; defaults if it may be NULL, and is.
 template <class T>
 Expected<T> taken(const T* given, const char* what) {
-  if (auto ok = check_size(given, what); !ok) return Failure{ok.error()};
-  return *given;
+  if (auto ok = check_struct(given, what); !ok) return Failure{ok.error()};
+  return copied(given);
 }
 template <class T>
 Expected<T> taken_or_default(const T* given, const char* what) {
@@ -49,7 +60,7 @@ Expected<T> taken_or_default(const T* given, const char* what) {
   return taken(given, what);
 }
 
-/// An array of structs that may be longer than those that are known here.
+/// An array of structs, which may be of another size than those that are known here.
 template <class T>
 class Structs {
  public:
@@ -57,15 +68,15 @@ class Structs {
     if (count == 0) return Structs(nullptr, 0);
     Structs all(first, count);
     for (std::size_t i = 0; i < count; ++i) {
-      if (auto ok = check_size(all.at(i), what); !ok) return Failure{ok.error()};
-      if (all[i].size != first->size)
+      if (auto ok = check_struct(all.at(i), what); !ok) return Failure{ok.error()};
+      if (all.at(i)->size != first->size)
         return bad_option(std::string(what) + "s have different sizes in an array");
     }
     return all;
   }
 
   std::size_t size() const { return count_; }
-  const T& operator[](std::size_t i) const { return *at(i); }
+  T operator[](std::size_t i) const { return copied(at(i)); }
 
  private:
   /// Precondition: the first is there, unless i is 0.
@@ -80,17 +91,17 @@ class Structs {
   std::size_t count_;
 };
 
-/// Fills in a struct that goes out; fields that are not known here become 0.
+/// Fills in a struct that goes out, as far as it goes; fields that are not known here become 0.
 template <class T>
 Expected<Done> give(T value, T* out, const char* what) {
   if (out == nullptr) return bad_option(std::string(what) + " is NULL");
   const std::size_t size = out->size;
-  if (size < sizeof(T))
+  if (size < least_size<T>)
     return bad_option(std::string(what) + " has a size of " + std::to_string(size) + ", expected " +
                       std::to_string(sizeof(T)));
   value.size = size;
   std::memset(static_cast<void*>(out), 0, size);
-  std::memcpy(static_cast<void*>(out), &value, sizeof(T));
+  std::memcpy(static_cast<void*>(out), &value, std::min(size, sizeof(T)));
   return Done{};
 }
 
@@ -105,7 +116,7 @@ inline std::span<const std::byte> bytes_of(const void* first, std::size_t size) 
 
 /// Says what is wrong, as far as the caller's struct has room. Allocates nothing.
 inline clers_code report(clers_error* out, clers_code code, const Error& error, const char* text) {
-  if (out == nullptr || out->size < sizeof(clers_error)) return code;
+  if (out == nullptr || out->size < least_size<clers_error>) return code;
   clers_error value{};
   value.code = code;
   value.place = static_cast<std::int32_t>(error.place);
