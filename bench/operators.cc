@@ -243,6 +243,18 @@ void flip(State& state) {
     meter.add(now() - start);
   }
 }
+/// The faces are numbered anew three times, which leaves all as it was.
+void turn(State& state) {
+  Surface s = test::torus(side(state.range(0)), side(state.range(0)));
+  const Edges edges = spread(s);
+  Meter meter(state, s.characteristic(), 3 * static_cast<double>(edges.size()));
+  for (auto _ : state) {
+    const double start = now();
+    for (int i = 0; i < 3; ++i)
+      for (const HalfEdge h : edges) must(s.turn(left(h)).ok(), "turn");
+    meter.add(now() - start);
+  }
+}
 struct Listens {
   void operator()(const Change& change) const { benchmark::DoNotOptimize(change.slots().size()); }
 };
@@ -401,6 +413,7 @@ BENCHMARK(handles_of_chain<Timed::unglue>)->Apply(sizes)->Name("unglue join_curv
 BENCHMARK(handles_of_chain<Timed::glue>)->Apply(sizes)->Name("glue join_curves, chain");
 BENCHMARK(flip<NoObserver>)->Apply(sizes)->Name("flip");
 BENCHMARK(flip<Listens>)->Apply(sizes)->Name("flip, followed");
+BENCHMARK(turn)->Apply(sizes)->Name("turn");
 BENCHMARK(split_and_weld<StellarCase::interior_edge, Half::split>)
     ->Apply(sizes)
     ->Name("split edge");

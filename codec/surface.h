@@ -25,6 +25,34 @@ namespace CLERS_VISIBLE clers {
 /// safe. Cost: linear; some 100 bytes a face, and 64 a vertex on the way.
 Expected<Surface> to_surface(const MeshView& mesh);
 
+/// The surface of any mesh of triangles, and what made it one.
+struct SurfaceByCuts {
+  Surface surface;
+  /// Vertex(vertex_count + i) is a copy of vertex copied[i] of the mesh: where what meets at a
+  /// vertex or an edge is no disk.
+  std::vector<std::uint32_t> copied;
+  /// Faces that the rest of their component made turn around, ascending: corner 0 of such a face
+  /// stays, corners 1 and 2 are those that were 2 and 1.
+  std::vector<std::uint32_t> reversed;
+  /// Faces that no surface has, ascending: those that use a vertex twice, and those that repeat an
+  /// earlier one and go on no further. Their ids are free.
+  std::vector<std::uint32_t> degenerate, repeated;
+
+  bool whole() const {
+    return copied.empty() && reversed.empty() && degenerate.empty() && repeated.empty();
+  }
+};
+
+/// As to_surface, but a mesh that is no oriented manifold is cut where encode cuts it: little is
+/// cut, faces of one component run the same way as far as that can be, and no handle is made. A
+/// mesh that to_surface takes becomes the same surface. Which faces are turned or left out depends
+/// on their order.
+///
+/// Errors: unsupported (the first face that is no triangle), inconsistent_mesh, too_large,
+/// out_of_memory. Attributes are not looked at. Thread safe. Cost: linear, and sorts of the faces
+/// at edges that are not manifold.
+Expected<SurfaceByCuts> to_surface_by_cuts(const MeshView& mesh);
+
 /// A mesh made of a surface, and which elements of the surface its own are.
 struct MeshOfSurface {
   Mesh mesh;

@@ -25,6 +25,7 @@ constexpr Text precondition_texts[precondition_count] = {
     {"weld_degree", "vertex"},
     {"link_condition", "half-edge"},
     {"leave_one_vertex", "half-edge"},
+    {"interior_vertex", "vertex"},
     {"one_sharp_edge", "face"},
     {"tri_quad", "half-edge"},
     {"refined_vertex", "vertex"},

@@ -24,12 +24,13 @@ enum class Precondition : std::uint8_t {
   weld_degree,            ///< the vertex has as many edges as a weld needs (weld, remove)
   link_condition,         ///< the ends' links meet in the edge's link only (collapse)
   leave_one_vertex,       ///< both half-edges leave one vertex (split_vertex)
+  interior_vertex,        ///< the vertex is not on the boundary (begin_star)
   one_sharp_edge,         ///< the face has at most one edge that is trisected (modeling/sqrt3.h)
   tri_quad,               ///< the edge is half-edge 1 on both sides (modeling/four_eight.h)
   refined_vertex,         ///< the vertex is not of the base mesh (modeling/multi_triangulation.h)
   levels_left,            ///< the new vertex's level is at most max_level (the same)
 };
-inline constexpr unsigned precondition_count = 17;
+inline constexpr unsigned precondition_count = 18;
 
 /// A precondition that does not hold: which, and at which face, half-edge or vertex. Nothing was
 /// changed.

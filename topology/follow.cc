@@ -3,8 +3,11 @@
 
 namespace CLERS_VISIBLE clers {
 
-Change Change::of_flip(HalfEdge h, HalfEdge t) {
+Change Change::of_flip(const Surface& before, HalfEdge h) {
+  const HalfEdge t = before.sym(h);
   Change c;
+  c.star(before, h);
+  c.star(before, t);
   c.slot(h, h, lprev(t));
   c.slot(lnext(h), lprev(h), lprev(h));
   c.slot(lprev(h), lnext(t), h);
@@ -57,6 +60,7 @@ Change Change::of_weld(const Surface& before, HalfEdge h) {
   const auto turn = [&](HalfEdge x) { return before.sym(lprev(x)); };
   Change c;
   c.gone_ = before.org(h);
+  c.gone_point_ = before.point(c.gone_);
   // On one side of the edge: kept leaves v in (v c a), gone in (v b c). Of what was a-v and v-b,
   // the edge takes after a-v on both sides.
   const auto half = [&](HalfEdge kept, HalfEdge gone, HalfEdge edge) {
@@ -65,6 +69,7 @@ Change Change::of_weld(const Surface& before, HalfEdge h) {
     c.slot(half_edge(f, 1), edge, lprev(kept));
     c.slot(half_edge(f, 2), lnext(gone), lnext(gone));
     c.gone_faces_[c.gone_count_++] = left(gone);
+    c.star(before, before.sym(kept));
   };
   if (before.is_boundary(c.gone_)) {
     const HalfEdge first = before.star_half_edge(c.gone_);
@@ -78,8 +83,17 @@ Change Change::of_weld(const Surface& before, HalfEdge h) {
     for (unsigned i = 0; i < 3; ++i, at = turn(at)) {
       c.slot(half_edge(left(h), i), lnext(at), lnext(at));
       if (i != 0) c.gone_faces_[c.gone_count_++] = left(at);
+      c.star(before, before.sym(at));
     }
   }
+  if (before.star_half_edge(c.gone_) != h) c.star(before, before.star_half_edge(c.gone_));
+  return c;
+}
+
+Change Change::of_turn(Face f) {
+  Change c;
+  for (unsigned i = 0; i < 3; ++i)
+    c.slot(half_edge(f, (i + 1) % 3), half_edge(f, i), half_edge(f, i));
   return c;
 }
 

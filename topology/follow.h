@@ -39,26 +39,40 @@ class Change {
   /// none.
   Vertex made() const { return made_; }
   std::span<const Vertex> between() const { return std::span(between_).first(between_count_); }
-  /// Of a weld: the vertex and the faces that were removed. Else null and none.
+  /// Of a weld: the vertex and the faces that were removed, and the vertex's point. Else null and
+  /// none.
   Vertex gone() const { return gone_; }
+  Point gone_point() const { return gone_point_; }
   std::span<const Face> gone_faces() const { return std::span(gone_faces_).first(gone_count_); }
 
-  static Change of_flip(HalfEdge h, HalfEdge twin);
+  /// Of a flip or weld: the half-edges that were star half-edges of interior vertices and that its
+  /// inverse does not make so again. Of the vertex that a weld of h removes h is taken for it.
+  std::span<const HalfEdge> stars() const { return std::span(stars_).first(star_count_); }
+
+  static Change of_flip(const Surface& before, HalfEdge h);
   static Change of_split(const Surface& after, HalfEdge h, HalfEdge twin, Vertex v);
   static Change of_split(const Surface& after, Face f, Vertex v);
   static Change of_weld(const Surface& before, HalfEdge h);
+  static Change of_turn(Face f);
 
  private:
   void slot(HalfEdge at, HalfEdge side, HalfEdge corner) {
     slots_[slot_count_++] = {at, side, {corner}, 1};
+  }
+  void star(const Surface& before, HalfEdge h) {
+    const Vertex v = before.org(h);
+    if (before.star_half_edge(v) == h && !before.is_boundary(v)) stars_[star_count_++] = h;
   }
 
   std::array<Slot, 12> slots_;
   std::array<Part, 2> parts_;
   std::array<Vertex, 3> between_;
   std::array<Face, 2> gone_faces_;
+  std::array<HalfEdge, 4> stars_;
   Vertex made_, gone_;
-  std::uint8_t slot_count_ = 0, part_count_ = 0, between_count_ = 0, gone_count_ = 0;
+  Point gone_point_;
+  std::uint8_t slot_count_ = 0, part_count_ = 0, between_count_ = 0, gone_count_ = 0,
+               star_count_ = 0;
 };
 
 /// Observes nothing, and costs nothing: the operators below then are those of the surface.
@@ -71,10 +85,15 @@ inline constexpr bool observes = !std::is_same_v<std::remove_cvref_t<Observer>, 
 /// not refused. If it throws, the operator has been applied all the same.
 template <class Observer = NoObserver>
 Result<Done, Violation> flip(Surface& surface, HalfEdge h, Observer&& observer = {}) {
-  const Result<Done, Violation> done = surface.flip(h);
-  if constexpr (observes<Observer>)
-    if (done) observer(Change::of_flip(h, surface.sym(h)));
-  return done;
+  if constexpr (observes<Observer>) {
+    const bool can = surface.is_live(h) && surface.sym(h);
+    const Change change = can ? Change::of_flip(surface, h) : Change();
+    const Result<Done, Violation> done = surface.flip(h);
+    if (done) observer(change);
+    return done;
+  } else {
+    return surface.flip(h);
+  }
 }
 template <class Observer = NoObserver>
 Result<Vertex, Violation> split(Surface& surface, HalfEdge h, Point p, Observer&& observer = {}) {
@@ -104,6 +123,15 @@ Result<Welded, Violation> weld(Surface& surface, HalfEdge h, Observer&& observer
   } else {
     return surface.weld(h);
   }
+}
+
+/// turn(), observed in the same way.
+template <class Observer = NoObserver>
+Result<Done, Violation> turn(Surface& surface, Face f, Observer&& observer = {}) {
+  const Result<Done, Violation> done = surface.turn(f);
+  if constexpr (observes<Observer>)
+    if (done) observer(Change::of_turn(f));
+  return done;
 }
 
 }  // namespace clers

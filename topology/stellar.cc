@@ -1,4 +1,4 @@
-// flip, split, weld: another star inside the same rim (§5.2, §6.3).
+// flip, split, weld: another star inside the same rim (§5.2, §6.3); and other numbers in it.
 #include "topology/follow.h"
 #include "topology/surface.h"
 
@@ -52,6 +52,7 @@ Result<Done, Violation> Surface::flip(HalfEdge h) {
   const HalfEdge t = sym(h);
   if (left(h) == left(t)) return violation(Precondition::two_faces, h.index());
 
+  if (data_.any()) move_sides(Change::of_flip(*this, h));
   const Vertex a = org(h), b = org(t), c = org(lprev(h)), d = org(lprev(t));
   replace_star(h, lnext(t));
   replace_star(t, lnext(h));
@@ -62,7 +63,6 @@ Result<Done, Violation> Surface::flip(HalfEdge h) {
   org_[t.index()] = c;
   --corners_[a.index()], --corners_[b.index()];
   ++corners_[c.index()], ++corners_[d.index()];
-  if (data_.any()) move_sides(Change::of_flip(h, t));
   return Done{};
 }
 
@@ -257,6 +257,23 @@ Result<Welded, Violation> Surface::weld(HalfEdge h) {
   counts_[k.index()] -= effect(done.undone);
   total_ -= effect(done.undone);
   return done;
+}
+
+Result<Done, Violation> Surface::turn(Face f) {
+  if (!is_live(f)) return violation(Precondition::live_face, f.index());
+  const RimSide rim[] = {{half_edge(f, 0), half_edge(f, 1)},
+                         {half_edge(f, 1), half_edge(f, 2)},
+                         {half_edge(f, 2), half_edge(f, 0)}};
+  move_rim(rim);
+  if (data_.any()) move_sides(Change::of_turn(f));
+  return Done{};
+}
+
+Result<Done, Violation> Surface::begin_star(HalfEdge h) {
+  if (!is_live(h)) return violation(Precondition::live_half_edge, h.index());
+  if (is_boundary(org(h))) return violation(Precondition::interior_vertex, org(h).index());
+  star_[org(h).index()] = h;
+  return Done{};
 }
 
 }  // namespace clers

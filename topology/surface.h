@@ -328,6 +328,24 @@ class Surface {
     return weld(star_half_edge(v));
   }
 
+  // Numbering -------------------------------------------------------------------------------------
+  //
+  // What flips and welds change besides how the surface is triangulated, and what does not come
+  // back when they are undone: with these it does (operator_log.h). No simplex changes.
+
+  /// Numbers the corners of a face anew: corner i becomes corner i+1, and half-edge i half-edge
+  /// i+1. What they lead to, and what is glued to them, stays with them.
+  ///
+  /// Precondition: `live_face`. Effect: none. Inverse: two more turns. Cost: O(1). Ids: those of
+  /// the face's half-edges change places; a star half-edge among them, and values, go along.
+  Result<Done, Violation> turn(Face f);
+
+  /// Makes h the star half-edge of its origin, with which circulators begin.
+  ///
+  /// Preconditions: `live_half_edge`; `interior_vertex`, since on the boundary there is no choice.
+  /// Effect: none. Inverse: begin_star of the star half-edge that was. Cost: O(1). Ids: all stay.
+  Result<Done, Violation> begin_star(HalfEdge h);
+
   // Whole surfaces --------------------------------------------------------------------------------
 
   /// The surface with these arrays: org and twin by half-edge, points by vertex (empty: vertex i is

@@ -7,12 +7,12 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "codec/cli/coarsen.h"
 #include "codec/cli/criteria.h"
+#include "codec/cli/places.h"
 #include "codec/cli/printable.h"
 #include "codec/cli/report.h"
 #include "codec/cli/shape.h"
@@ -26,24 +26,6 @@ namespace clers::cli {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-
-Expected<std::vector<Vec3>> places_of(const Mesh& mesh) {
-  const Attribute* position = mesh.position();
-  if (position == nullptr || position->components != 3)
-    return fail(ErrorCode::unsupported, "has no positions to adapt to");
-  std::vector<Vec3> at(mesh.vertex_count);
-  const std::size_t size = size_of(position->scalar);
-  for (std::size_t v = 0; v < at.size(); ++v) {
-    const std::byte* p = position->data.data() + v * position->stride();
-    at[v] = {load(position->scalar, p), load(position->scalar, p + size),
-             load(position->scalar, p + 2 * size)};
-    for (const double x : {at[v].x, at[v].y, at[v].z})
-      if (!(std::abs(x) < 1e100))
-        return fail(ErrorCode::not_on_grid, Place::vertex, v,
-                    fmt::format("is at {}, expected a number below 1e100", x));
-  }
-  return at;
-}
 
 ErrorCode code_of(FaceRule rule) {
   switch (rule) {
@@ -70,17 +52,6 @@ Expected<PolygonSurface> surface_of(const Mesh& mesh, const std::vector<Vec3>& a
     return fail(code_of(made.error().rule),
                 clers::describe(made.error()) + ", its polygons being cut into triangles");
   return std::move(*made);
-}
-
-double diagonal_of(const Surface& surface, const std::vector<Vec3>& at) {
-  constexpr double far = std::numeric_limits<double>::infinity();
-  Vec3 low{far, far, far}, high{-far, -far, -far};
-  for (const Vertex v : surface.vertices()) {
-    const Vec3& p = at[v.index()];
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  return surface.characteristic().v == 0 ? 0 : length(high - low);
 }
 
 /// Values of vertices that go along, the positions first.
@@ -187,7 +158,7 @@ void measure(const Followed& mesh, const Criteria& criteria, AdaptedMesh& result
 Expected<AdaptedMesh> adapt(const Mesh& mesh, const Adaptation& how,
                             const std::function<void(double)>& progress,
                             const std::function<bool(Mesh)>& frame) {
-  const auto at = places_of(mesh);
+  const auto at = places_of(mesh, "adapt");
   if (!at) return Failure{at.error()};
   auto input = surface_of(mesh, *at);
   if (!input) return Failure{input.error()};
@@ -221,11 +192,8 @@ Expected<AdaptedMesh> adapt(const Mesh& mesh, const Adaptation& how,
   progress(0.6);
 
   Wanted wanted;
-  const auto in_units = [&](const Extent& e) {
-    return e.of_diagonal ? e.value * result.diagonal : e.value;
-  };
-  if (how.error) wanted.error = in_units(*how.error);
-  if (how.edge_length) wanted.edge_length = in_units(*how.edge_length);
+  if (how.error) wanted.error = how.error->in_units(result.diagonal);
+  if (how.edge_length) wanted.edge_length = how.edge_length->in_units(result.diagonal);
   wanted.level = how.level.value_or(0);
   wanted.near = how.near;
   criteria.set(wanted);

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "codec/cli/extent.h"
 #include "codec/cli/vec3.h"
 #include "codec/error.h"
 #include "codec/mesh.h"
@@ -20,12 +21,6 @@ namespace clers::cli {
 struct Brush {
   Vec3 centre;
   double radius = 0;
-};
-
-/// A length in units of the positions, or a share of the diagonal of their bounding box.
-struct Extent {
-  double value = 0;
-  bool of_diagonal = false;
 };
 
 struct Adaptation {

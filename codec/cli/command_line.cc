@@ -32,12 +32,18 @@ constexpr unsigned most_levels = MultiTriangulation::max_level;
 
 /// What other programs call our commands.
 const std::map<std::string, std::string> other_names = {
-    {"compress", "encode"},   {"pack", "encode"},       {"zip", "encode"},
-    {"decompress", "decode"}, {"uncompress", "decode"}, {"unpack", "decode"},
-    {"extract", "decode"},    {"restore", "decode"},    {"list", "info"},
-    {"show", "info"},         {"inspect", "info"},      {"stat", "info"},
-    {"test", "verify"},       {"compare", "verify"},    {"diff", "verify"},
-    {"measure", "check"},     {"validate", "check"},    {"refine", "adapt"}};
+    {"compress", "encode"},     {"pack", "encode"},
+    {"zip", "encode"},          {"decompress", "decode"},
+    {"uncompress", "decode"},   {"unpack", "decode"},
+    {"extract", "decode"},      {"restore", "decode"},
+    {"list", "info"},           {"show", "info"},
+    {"inspect", "info"},        {"stat", "info"},
+    {"test", "verify"},         {"compare", "verify"},
+    {"diff", "verify"},         {"measure", "check"},
+    {"validate", "check"},      {"refine", "adapt"},
+    {"decimate", "simplify"},   {"reduce", "simplify"},
+    {"surface", "reconstruct"}, {"triangulate", "reconstruct"},
+    {"pivot", "reconstruct"}};
 
 std::string in_quotes(const std::string& text) {
   return "'" + printable(text) + "'";
@@ -138,6 +144,8 @@ class CommandLine {
     add_check();
     add_subdivide();
     add_adapt();
+    add_simplify();
+    add_reconstruct();
     CLI::App* help = app_.add_subcommand("help", "Explain a command")->group("Commands");
     help->footer("Examples:\n  clers help encode");
     help->add_option("COMMAND", topic_, "what to explain; none: the program")->option_text(" ");
@@ -433,6 +441,86 @@ class CommandLine {
     quiet(adapt);
   }
 
+  void add_simplify() {
+    Fewer& how = options_.fewer;
+    CLI::App& simplify =
+        add("simplify", cli::simplify, "Make meshes of fewer faces near the same surfaces",
+            "Contracts one edge after the other, the cheapest first, until so few faces are\n"
+            "left, or until each other would take the surface farther than the error; without\n"
+            "either, to half the faces. Components, boundary curves and handles stay, and so\n"
+            "do seams of textures, normals and materials. Values of vertices, corners and\n"
+            "faces go along. Polygons become triangles; what is no manifold is cut, which is\n"
+            "said.\n\n"
+            "Examples:\n"
+            "  clers simplify scan.ply -o half.ply\n"
+            "  clers simplify scan.ply -o light.ply --faces 20000\n"
+            "  clers simplify scans/*.ply -o light/ --faces 10%\n"
+            "  clers simplify part.stl -o part.obj --error 0.05%");
+    inputs(simplify, "mesh files: ply, obj, off, stl, drc");
+    output(simplify, "the mesh file, or a directory for several");
+    simplify
+        .add_option(
+            "--faces",
+            [&how](const CLI::results_t& values) {
+              how.faces = parse_faces(values.back());
+              return true;
+            },
+            "how many to leave of a mesh, or which share; 0: as few as there can be. Without "
+            "--error, 50% is the default")
+        ->option_text("N|P%");
+    extent(simplify, "--error", how.error,
+           "how far the surface may move, in the units of the file, or with % of the diagonal of "
+           "its bounding box",
+           true);
+    json(simplify);
+    from(simplify);
+    to(simplify, "format of the output; default: by its name, else that of the input");
+    text(simplify);
+    force(simplify);
+    quiet(simplify);
+  }
+
+  void add_reconstruct() {
+    CLI::App& reconstruct =
+        add("reconstruct", cli::reconstruct, "Make surfaces of points",
+            "The points are the vertices of the input, whose faces do not count; its normals\n"
+            "of vertices, if it has any, say which side is outside. The surface grows over\n"
+            "the points triangle by triangle and is always an oriented manifold. It needs no\n"
+            "option; with --radius it goes where balls of these radii rest on three points,\n"
+            "and leaves gaps open that they fall through. A radius somewhat larger than the\n"
+            "distance of neighbours is a good first one.\n\n"
+            "Examples:\n"
+            "  clers reconstruct scan.ply -o mesh.ply\n"
+            "  clers reconstruct scan.ply -o mesh.ply --radius 0.5,1,2\n"
+            "  clers reconstruct scan.obj -o mesh.obj --radius 0.2% --radius 1%");
+    inputs(reconstruct, "points, or meshes: ply, obj, off, stl");
+    output(reconstruct, "the mesh file, or a directory for several");
+    reconstruct
+        .add_option(
+            "--radius",
+            [this](const CLI::results_t& values) {
+              for (const std::string& value : values)
+                for (std::size_t at = 0; at <= value.size();) {
+                  const std::size_t comma = std::min(value.find(',', at), value.size());
+                  options_.reconstruction.radii.push_back(
+                      parse_extent("--radius", value.substr(at, comma - at)));
+                  at = comma + 1;
+                }
+              return true;
+            },
+            "of a ball that rolls over the points, in the units of the file, or with % of the "
+            "diagonal of their bounding box. Several, small to large: each goes on where the one "
+            "before is stuck")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->option_text("R,...");
+    json(reconstruct);
+    from(reconstruct);
+    to(reconstruct, "format of the output; default: by its name, else that of the input");
+    text(reconstruct);
+    force(reconstruct);
+    quiet(reconstruct);
+  }
+
   CLI::App& add(const char* name, Command command, const char* what, const std::string& footer) {
     CLI::App* sub = app_.add_subcommand(name, what)->group("Commands");
     sub->footer(footer);
@@ -588,17 +676,39 @@ class CommandLine {
     return {{numbers[0], numbers[1], numbers[2]}, numbers[3]};
   }
 
-  void extent(CLI::App& sub, const char* name, std::optional<Extent>& target, const char* what) {
+  /// "5000" or "10%".
+  static FaceCount parse_faces(std::string_view text) {
+    FaceCount faces;
+    const bool share = text.ends_with('%');
+    if (share ? !parse(text.substr(0, text.size() - 1), faces.share.emplace()) ||
+                    !(*faces.share >= 0 && *faces.share <= 100)
+              : !parse(text, faces.count) || faces.count < 0)
+      refuse("--faces", "a number of faces, or a share from 0% to 100%", std::string(text));
+    if (share) *faces.share /= 100;
+    return faces;
+  }
+
+  /// "0.5" or "0.1%"; above 0, or 0 too.
+  static Extent parse_extent(const char* option, const std::string& given, bool zero = false) {
+    std::string_view text = given;
+    Extent extent;
+    extent.of_diagonal = text.ends_with('%');
+    if (extent.of_diagonal) text.remove_suffix(1);
+    if (!parse(text, extent.value) || !(extent.value < 1e100) ||
+        !(extent.value > 0 || (zero && extent.value == 0)))
+      refuse(option,
+             zero ? "a length such as 0.5 or 0.1%" : "a length above 0, such as 0.5 or 0.1%",
+             given);
+    if (extent.of_diagonal) extent.value /= 100;
+    return extent;
+  }
+
+  void extent(CLI::App& sub, const char* name, std::optional<Extent>& target, const char* what,
+              bool zero = false) {
     sub.add_option(
            name,
-           [&target, name](const CLI::results_t& values) {
-             std::string_view text = values.back();
-             Extent& extent = target.emplace();
-             extent.of_diagonal = text.ends_with('%');
-             if (extent.of_diagonal) text.remove_suffix(1);
-             if (!parse(text, extent.value) || !(extent.value > 0 && extent.value < 1e100))
-               refuse(name, "a length above 0, such as 0.5 or 0.1%", values.back());
-             if (extent.of_diagonal) extent.value /= 100;
+           [&target, name, zero](const CLI::results_t& values) {
+             target = parse_extent(name, values.back(), zero);
              return true;
            },
            what)
@@ -711,6 +821,8 @@ class CommandLine {
     }
     if (command_ == static_cast<Command>(&cli::adapt))
       if (const auto wrong = mistaken_adaptation()) return wrong;
+    if (options_.json && options_.output == "-")
+      return "--json and the mesh cannot both go to standard output";
     if (options_.piece && options_.remove_inputs)
       return "--rm and --piece: a piece is not all of its file";
     return std::nullopt;
@@ -722,8 +834,6 @@ class CommandLine {
     if (!how.level && !how.edge_length && !how.error)
       return "--level, --edge-length or --error is required";
     if (options_.frames && options_.inputs.size() > 1) return "--frames needs a single input";
-    if (options_.json && options_.output == "-")
-      return "--json and the mesh cannot both go to standard output";
     return std::nullopt;
   }
 

@@ -19,6 +19,10 @@ constexpr Stage subdivide_plan[] = {
     {"reading", 1}, {"reading", 3}, {"subdividing", 78}, {"writing", 9}, {"writing", 9}};
 constexpr Stage adapt_plan[] = {
     {"reading", 1}, {"reading", 3}, {"adapting", 94}, {"writing", 1}, {"writing", 1}};
+constexpr Stage simplify_plan[] = {
+    {"reading", 2}, {"reading", 8}, {"simplifying", 80}, {"writing", 5}, {"writing", 5}};
+constexpr Stage reconstruct_plan[] = {
+    {"reading", 1}, {"reading", 3}, {"reconstructing", 92}, {"writing", 2}, {"writing", 2}};
 
 /// Writes meshes in a format and saves them, which are two stages.
 Outcome<Done> save_meshes(Job& job, const std::vector<Mesh>& meshes, io::Format format,
@@ -270,6 +274,51 @@ Outcome<Done> adapt_one(const Options& options, Job& job, const Destination& to,
   return remake_one(options, job, to, "adapted", work);
 }
 
+/// `reports`: JSON, one of each mesh.
+Outcome<Done> simplify_one(const Options& options, Job& job, const Destination& to,
+                           std::vector<std::string>& reports) {
+  const auto work = [&](Mesh& mesh, io::Format, io::Encoding) -> Outcome<std::string> {
+    auto done = simplify(mesh, options.fewer, [&](double share) { job.progress().show(share); });
+    if (!done) return stop(job.name(), done.error());
+    for (const std::string& note : done->notes) job.note(job.name(), note, true);
+    if (const std::string note = unreached(*done); !note.empty()) job.note(job.name(), note, false);
+    reports.push_back(simplified_json(job.name(), *done));
+    mesh = std::move(done->mesh);
+    return describe(*done);
+  };
+  return remake_one(options, job, to, "simplified", work);
+}
+
+/// `reports`: as of adapt_one.
+Outcome<Done> reconstruct_one(const Options& options, Job& job, const Destination& to,
+                              std::vector<std::string>& reports) {
+  const auto work = [&](Mesh& mesh, io::Format, io::Encoding) -> Outcome<std::string> {
+    auto done = reconstruct(mesh, options.reconstruction,
+                            [&](double share) { job.progress().show(share); });
+    if (!done) return stop(job.name(), done.error());
+    for (const std::string& note : done->notes) job.note(job.name(), note, true);
+    reports.push_back(reconstructed_json(job.name(), *done));
+    mesh = std::move(done->mesh);
+    return describe(*done);
+  };
+  return remake_one(options, job, to, "reconstructed", work);
+}
+
+/// `one` of each input; then what it added to the reports, if JSON is asked for.
+template <class One>
+Exit for_each_report(const Options& options, std::span<const Stage> plan, One one) {
+  std::vector<std::string> reports;
+  const Exit exit = for_each_output(options, suffix_if_known(options), plan,
+                                    [&](const Options& how, Job& job, const Destination& to) {
+                                      return one(how, job, to, reports);
+                                    });
+  if (!options.json || reports.empty()) return exit;
+  const auto printed = print((reports.size() == 1 ? reports.front() : json_list(reports)) + "\n");
+  if (printed) return exit;
+  complain(printed.error().line);
+  return exit == Exit::done ? printed.error().exit : exit;
+}
+
 }  // namespace
 
 Exit encode(const Options& options) {
@@ -285,16 +334,15 @@ Exit subdivide(const Options& options) {
 }
 
 Exit adapt(const Options& options) {
-  std::vector<std::string> reports;
-  const Exit exit = for_each_output(options, suffix_if_known(options), adapt_plan,
-                                    [&](const Options& how, Job& job, const Destination& to) {
-                                      return adapt_one(how, job, to, reports);
-                                    });
-  if (!options.json || reports.empty()) return exit;
-  const auto printed = print((reports.size() == 1 ? reports.front() : json_list(reports)) + "\n");
-  if (printed) return exit;
-  complain(printed.error().line);
-  return exit == Exit::done ? printed.error().exit : exit;
+  return for_each_report(options, adapt_plan, adapt_one);
+}
+
+Exit simplify(const Options& options) {
+  return for_each_report(options, simplify_plan, simplify_one);
+}
+
+Exit reconstruct(const Options& options) {
+  return for_each_report(options, reconstruct_plan, reconstruct_one);
 }
 
 }  // namespace clers::cli

@@ -9,6 +9,8 @@
 #include "codec/cli/adapt.h"
 #include "codec/cli/formats.h"
 #include "codec/cli/outcome.h"
+#include "codec/cli/reconstruct.h"
+#include "codec/cli/simplify.h"
 #include "codec/cli/subdivide.h"
 #include "codec/decode.h"
 #include "codec/encode.h"
@@ -29,6 +31,8 @@ struct Options {
   EncodeOptions encode;
   Subdivision subdivision;
   Adaptation adaptation;
+  Fewer fewer;
+  Reconstructing reconstruction;
   std::optional<std::string> frames;  ///< the directory that adapt writes a sequence into
   DecodeOptions decode;
   std::optional<std::size_t> piece;  ///< decode only this one
@@ -42,6 +46,8 @@ Exit verify(const Options& options);  ///< inputs: the original, the .clers file
 Exit check(const Options& options);
 Exit subdivide(const Options& options);
 Exit adapt(const Options& options);
+Exit simplify(const Options& options);
+Exit reconstruct(const Options& options);
 
 /// One line on stderr, after the program's name.
 void complain(const std::string& line);

@@ -56,7 +56,7 @@ constexpr Kind kinds[] = {
     {{}, " vtp vtu ", "a VTK file", export_it},
     {{}, " dxf dwg ", "a drawing", export_it},
     {{}, " mtl ", "a library of materials", ": give the OBJ file that names it"},
-    {{}, " pcd xyz pts las laz e57 ", "a cloud of points", ": clers codes meshes"},
+    {{}, " pcd xyz pts las laz e57 ", "a cloud of points", ": save it as PLY, and clers reconstruct makes a mesh of it"},
     {"version https://git-lfs"sv,
      {},
      "a pointer of Git LFS",

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "codec/encode.h"
@@ -116,6 +117,42 @@ TEST(CodecSurface, UnusedVerticesAreNoneOfIt) {
   EXPECT_EQ(surface->characteristic().v, 4);
   EXPECT_EQ(surface->vertex_limit(), 7u);
   EXPECT_EQ(to_mesh(*surface)->mesh.vertex_count, 4u);
+}
+
+TEST(CodecSurface, CutsWhatIsNoSurface) {
+  Mesh degenerate = corpus::add_fins(corpus::icosphere(2), 5, 1);
+  degenerate.corners[4] = degenerate.corners[5];
+  for (const Mesh& mesh :
+       {Mesh{}, corpus::torus(5, 6), corpus::book(5), corpus::moebius_strip(9, 2),
+        corpus::chessboard(3), corpus::same_triangle(3), corpus::two_sided(corpus::grid(4, 4)),
+        corpus::reverse_some(corpus::icosphere(2), 30, 1), degenerate,
+        corpus::random_soup(20, 60, 3, 1), corpus::isolate(corpus::tetrahedron(), 2)}) {
+    if (!mesh.triangles_only()) continue;
+    const auto made = to_surface_by_cuts(mesh);
+    ASSERT_TRUE(made.ok()) << describe(made.error());
+    EXPECT_TRUE(validate(made->surface).empty());
+    EXPECT_EQ(made->whole(), to_surface(mesh).ok());
+    std::size_t faces = 0;
+    for (const Face f : made->surface.faces()) {
+      ++faces;
+      const bool turned =
+          std::binary_search(made->reversed.begin(), made->reversed.end(), f.index());
+      for (unsigned i = 0; i < 3; ++i) {
+        const std::uint32_t v = made->surface.org(half_edge(f, turned ? (3 - i) % 3 : i)).index();
+        EXPECT_EQ(mesh.corners[3 * f.index() + i],
+                  v < mesh.vertex_count ? v : made->copied[v - mesh.vertex_count]);
+      }
+    }
+    EXPECT_EQ(faces + made->degenerate.size() + made->repeated.size(), mesh.face_count());
+    for (const auto* gone : {&made->degenerate, &made->repeated})
+      for (const std::uint32_t f : *gone) EXPECT_FALSE(made->surface.is_live(Face(f)));
+  }
+  Mesh mesh = corpus::tetrahedron();
+  mesh.corners[3] = 4;
+  EXPECT_EQ(to_surface_by_cuts(mesh).error().code, ErrorCode::inconsistent_mesh);
+  mesh.face_sizes = {3, 4, 3, 2};
+  mesh.corners[3] = 0;
+  EXPECT_EQ(to_surface_by_cuts(mesh).error().code, ErrorCode::unsupported);
 }
 
 TEST(CodecSurface, RefusesWhatIsNoSurface) {

@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
   save(directory, "fig10-zip.svg", zip());
   save(directory, "fig11-two-zips.svg", two_zips());
   save(directory, "fig12-edge-collapse.svg", edge_collapse());
+  save(directory, "fig13-advancing-front.svg", advancing_front());
   save(directory, "fig14-edgebreaker.svg", moves_of_edgebreaker());
   save(directory, "fig15-sqrt3.svg", sqrt3_rules());
   save(directory, "fig18-dependencies.svg", dependencies());

@@ -63,6 +63,8 @@ std::string weld_by_star();
 std::string dependencies_in_refinement();
 std::string dependencies_in_simplification();
 std::string dependencies();
+// front_figure.cc,
+std::string advancing_front();
 // shaded_figures.cc.
 std::string deforming_sphere();
 std::string brush_of_resolution();

@@ -201,7 +201,7 @@ std::string shaded(const Surface& surface, const Camera& camera,
     for (unsigned i = 0; i < 3; ++i) {
       const HalfEdge h = half_edge(f, (first + i) % 3);
       t.at[i] = dot_at(h);
-      t.rim[i] = !towards_camera(left(surface.sym(h)));
+      t.rim[i] = surface.is_boundary(h) || !towards_camera(left(surface.sym(h)));
     }
     const Vector a = at(surface.org(half_edge(f, 0))), b = at(surface.org(half_edge(f, 1))),
                  c = at(surface.org(half_edge(f, 2)));

@@ -1,4 +1,4 @@
-// Closed surfaces in space, as a camera sees them: shaded, and hidden where something is in front.
+// Surfaces in space, as a camera sees them: shaded, and hidden where something is in front.
 #ifndef CLERS_TOPOLOGY_FIGURES_SHADED_H
 #define CLERS_TOPOLOGY_FIGURES_SHADED_H
 
@@ -24,7 +24,7 @@ struct Camera {
   double distance;  ///< 0: parallel projection
 };
 
-/// The faces of a closed surface that are turned to the camera and not wholly hidden, as paths of
+/// The faces of a surface that are turned to the camera and not wholly hidden, as paths of
 /// SVG in tenths of a pixel about the target. Faces do not intersect. The same on every machine if
 /// the places are, in whatever order the surface has its elements.
 ///

@@ -13,6 +13,16 @@ void Creases::mark(const Surface& surface, HalfEdge h) {
   any_ = true;
 }
 
+std::vector<Vertex> Creases::unmark(const Surface& surface, Vertex v) {
+  std::vector<Vertex> ends;
+  for (const HalfEdge h : surface.star(v)) {
+    if (h.index() >= sharp_.size() || sharp_[h.index()] == 0) continue;
+    ends.push_back(surface.other_end(h, v));
+    for (const HalfEdge side : surface.star(h)) sharp_[side.index()] = 0;
+  }
+  return ends;
+}
+
 void Creases::operator()(const Change& change) {
   std::array<std::uint8_t, 12> now{};
   std::size_t i = 0;

@@ -25,6 +25,9 @@ class Creases {
     return surface.is_boundary(h) || (h.index() < sharp_.size() && sharp_[h.index()] != 0);
   }
 
+  /// Unmarks the creases at a vertex, and returns their other ends.
+  std::vector<Vertex> unmark(const Surface& surface, Vertex v);
+
   void operator()(const Change& change);
 
   // The operators, observed by this set unless it is empty.

@@ -60,6 +60,7 @@ TEST(Memory, StellarOperatorsFailWithoutAChange) {
   const HalfEdge inside = half_edge(Face(9), 1), rim = s.on_curve(*s.curves().begin());
   ASSERT_FALSE(s.is_boundary(inside));
   EXPECT_EQ(starve(s, [&](Surface& x) { EXPECT_TRUE(x.flip(inside)); }), 0);
+  EXPECT_EQ(starve(s, [&](Surface& x) { EXPECT_TRUE(x.turn(Face(9))); }), 0);
   EXPECT_GT(starve(s, [&](Surface& x) { EXPECT_TRUE(x.split(inside, Point(7))); }), 5);
   EXPECT_GT(starve(s, [&](Surface& x) { EXPECT_TRUE(x.split(rim, Point(7))); }), 5);
   EXPECT_GT(starve(s, [&](Surface& x) { EXPECT_TRUE(x.split(Face(3), Point(7))); }), 5);

@@ -139,6 +139,11 @@ void Oracle::weld(std::uint32_t h) {
   }
 }
 
+void Oracle::turn(std::uint32_t f) {
+  const std::uint32_t h = 3 * f;
+  replace({{h, h + 1}, {h + 1, h + 2}, {h + 2, h}}, {}, {}, {});
+}
+
 void Oracle::adopt(const Surface& s) {
   alive_.assign(s.face_limit(), false);
   mate_.assign(s.half_edge_limit(), -1);

@@ -25,6 +25,7 @@ class Oracle {
   void split_edge(std::uint32_t h, std::uint32_t born_f, std::uint32_t born_g);
   void split_face(std::uint32_t f, std::uint32_t born_b, std::uint32_t born_c);
   void weld(std::uint32_t h);
+  void turn(std::uint32_t f);
 
   /// Takes over which faces are alive and what is glued, and judges all the rest from then on.
   void adopt(const Surface& surface);

@@ -34,7 +34,9 @@ std::string Pair::step(const Op& op, std::uint32_t target_faces) {
 
 std::string Pair::stellar(const Op& op, bool crowded) {
   const unsigned kind = (op.kind - 100u) % 78;  // in 78 parts, 255 - 100 being 155
-  if (kind < 18) return flip(pick(false));
+  if (kind < 15) return flip(pick(false));
+  if (kind == 15) return turn(left(pick(op.choice % 2 == 0)));
+  if (kind < 18) return begin_star(pick(false));
   if (kind < 30 && !crowded) return split_edge(pick(op.choice % 3 == 0), Point(op.b));
   if (kind < 38 && !crowded) return split_face(left(pick(op.choice % 2 == 0)), Point(op.b));
   if (kind < 56) return weld(op);

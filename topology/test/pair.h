@@ -74,6 +74,8 @@ class Pair {
   std::string split_face(Face f, Point p);
   HalfEdge pick_weldable();
   std::string weld(const Op& op);
+  std::string turn(Face f);
+  std::string begin_star(HalfEdge h);
 
   // composed_steps.cc
   bool may_collapse(HalfEdge h) const;

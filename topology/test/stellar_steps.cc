@@ -133,4 +133,37 @@ std::string Pair::weld(const Op& op) {
   return "";
 }
 
+std::string Pair::turn(Face f) {
+  const bool allowed = surface_.is_live(f);
+  const std::string text = thorough_ ? dump(surface_) : "";
+  const Characteristic before = surface_.characteristic();
+  const Vertex a = allowed ? surface_.org(half_edge(f, 0)) : Vertex();
+  const auto done = surface_.turn(f);
+  if (done.ok() != allowed) return "turn misjudged";
+  if (!done) return refuse(text);
+  oracle_.turn(f.index());
+  ++done_;
+  if (surface_.characteristic() != before) return "turn changes counts";
+  if (surface_.org(half_edge(f, 1)) != a) return "corner 0 is not corner 1 now";
+  if (!thorough_) return "";
+  Surface undone = surface_;
+  for (int i = 0; i < 2; ++i) (void)undone.turn(f);
+  return dump(undone) == text ? "" : "three turns change something";
+}
+
+std::string Pair::begin_star(HalfEdge h) {
+  const bool allowed = surface_.is_live(h) && !surface_.is_boundary(surface_.org(h));
+  const std::string text = thorough_ ? dump(surface_) : "";
+  const HalfEdge was = surface_.is_live(h) ? surface_.star_half_edge(surface_.org(h)) : h;
+  const auto done = surface_.begin_star(h);
+  if (done.ok() != allowed) return "begin_star misjudged";
+  if (!done) return refuse(text);
+  ++done_;
+  if (*surface_.fan(surface_.org(h)).begin() != h) return "the star begins elsewhere";
+  if (!thorough_) return "";
+  Surface undone = surface_;
+  (void)undone.begin_star(was);
+  return dump(undone) == text ? "" : "begin_star does not undo begin_star";
+}
+
 }  // namespace clers::test

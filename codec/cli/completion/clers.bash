@@ -8,7 +8,7 @@ _clers() {
     [[ ${words[i]} == -* ]] || { command=${words[i]} && break; }
   done
   if [[ -z $command ]]; then
-    COMPREPLY=($(compgen -W "encode decode info verify check subdivide adapt help -h --help -V --version" -- "$cur"))
+    COMPREPLY=($(compgen -W "encode decode info verify check subdivide adapt simplify reconstruct help -h --help -V --version" -- "$cur"))
     return
   fi
 
@@ -27,7 +27,7 @@ _clers() {
     --scheme) COMPREPLY=($(compgen -W "sqrt3 loop 4-8" -- "$cur")) && return ;;
     --base) COMPREPLY=($(compgen -W "input" -- "$cur")) && return ;;
     --frames) _filedir -d && return ;;
-    --piece | --attribute | --times | --near | --edge-length | --error | -T | --threads | --max-*) return ;;
+    --piece | --attribute | --times | --near | --edge-length | --error | --faces | --radius | -T | --threads | --max-*) return ;;
     -o | --output) _filedir && return ;;
   esac
 
@@ -59,8 +59,14 @@ _clers() {
       options="-h --help -o --output -c --stdout --level --near --edge-length --error --max-faces --base --frames
         --json --from --to --text -f --force -q --quiet"
       files=$meshes ;;
+    simplify)
+      options="-h --help -o --output -c --stdout --faces --error --json --from --to --text -f --force -q --quiet"
+      files=$meshes ;;
+    reconstruct)
+      options="-h --help -o --output -c --stdout --radius --json --from --to --text -f --force -q --quiet"
+      files=$meshes ;;
     help)
-      COMPREPLY=($(compgen -W "encode decode info verify check subdivide adapt -h --help" -- "$cur"))
+      COMPREPLY=($(compgen -W "encode decode info verify check subdivide adapt simplify reconstruct -h --help" -- "$cur"))
       return ;;
     *) return ;;
   esac

@@ -175,7 +175,7 @@ run encode --frobnicate grid.obj -o x; ends "an unknown option" 2 "--frobnicate"
 run encode --level 10 grid.obj -o x; ends "a level too high" 2 "--level"
 run decode --to gif grid.clers -o x; ends "an unknown format" 2 "--to: expected ply, obj, off, stl, glb or gltf, found 'gif'"
 run decode --max-memory 3X grid.clers -o x.obj; ends "no size" 2 "3X"
-for command in "" encode decode info verify check subdivide adapt; do
+for command in "" encode decode info verify check subdivide adapt simplify reconstruct; do
   run $command --help; ends "clers $command --help" 0
   check "clers $command --help has examples" grep -q "^  clers ${command:-encode} " out
 done

@@ -6,7 +6,7 @@ manual=$(realpath "$2") completions=$(realpath "$3")
 touch err
 
 commands=$("$clers" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p')
-check "help names the commands" test "$(echo $commands)" = "encode decode info verify check subdivide adapt help"
+check "help names the commands" test "$(echo $commands)" = "encode decode info verify check subdivide adapt simplify reconstruct help"
 
 run --help; mv out asked; run help
 check "clers help is clers --help" cmp -s asked out
