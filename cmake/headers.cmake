@@ -9,7 +9,7 @@ function(clers_public_headers target folder)
     cmake_path(GET header FILENAME name)
     file(CONFIGURE OUTPUT ${made}/clers/${folder}/${name} CONTENT "#include \"${header}\"\n" @ONLY)
     if(CLERS_INSTALL)
-      install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/clers/${folder})
+      install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/clers/${folder} COMPONENT dev)
     endif()
   endforeach()
   target_include_directories(${target} PUBLIC

@@ -19,6 +19,16 @@ struct Decoder::State {
   internal::OpenFile file;
   DecodeOptions options;
   std::vector<std::size_t> ends;  ///< of each mesh: its pieces and those of meshes before
+
+  struct Place {
+    std::size_t mesh, index;  ///< the index is among the pieces of that mesh
+  };
+  /// Precondition: there is such a piece.
+  Place place_of(std::size_t piece) const {
+    const auto mesh =
+        static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), piece) - ends.begin());
+    return {mesh, piece - (mesh == 0 ? 0 : ends[mesh - 1])};
+  }
 };
 
 namespace {
@@ -109,6 +119,24 @@ Expected<FileInfo> Decoder::info() const {
   });
 }
 
+Expected<PieceInfo> Decoder::piece_info(std::size_t piece) const {
+  return guarded("decode", [&]() -> Expected<PieceInfo> {
+    if (piece >= piece_count()) return no_such("piece", piece, piece_count());
+    const auto [mesh, index] = state_->place_of(piece);
+    const auto& pieces = state_->file.meshes[mesh].pieces;
+    const PieceSections& s = pieces[index];
+    return PieceInfo{mesh,
+                     index,
+                     pieces.size(),
+                     s.vertices,
+                     s.faces,
+                     s.corners,
+                     !s.may_have_sizes(),
+                     static_cast<std::uint32_t>(s.first_vertex),
+                     static_cast<std::uint32_t>(s.first_face)};
+  });
+}
+
 Expected<std::vector<Mesh>> Decoder::decode() const {
   return guarded("decode", [&] {
     Budget budget = state_->file.budget;
@@ -141,11 +169,8 @@ Expected<Done> Decoder::decode_into(std::size_t mesh, const MeshTarget& target) 
 Expected<Piece> Decoder::decode_piece(std::size_t piece) const {
   return guarded("decode", [&]() -> Expected<Piece> {
     if (piece >= piece_count()) return no_such("piece", piece, piece_count());
-    const auto& ends = state_->ends;
-    const auto mesh =
-        static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), piece) - ends.begin());
-    const std::size_t before = mesh == 0 ? 0 : ends[mesh - 1];
-    auto made = make_piece(state_->file.meshes[mesh], mesh, piece - before, state_->options.threads,
+    const auto [mesh, index] = state_->place_of(piece);
+    auto made = make_piece(state_->file.meshes[mesh], mesh, index, state_->options.threads,
                            state_->file.budget);
     if (!made) return in_mesh(made.error(), mesh, mesh_count());
     return made;

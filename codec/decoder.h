@@ -51,6 +51,9 @@ class Decoder {
   /// Cost: linear in meshes, pieces and attributes; metadata is unpacked.
   Expected<FileInfo> info() const;
 
+  /// Sizes of a piece, counted over all meshes. Constant time.
+  Expected<PieceInfo> piece_info(std::size_t piece) const;
+
   /// All meshes, or one. Cost: linear in faces and values, and O(log n) a handle.
   Expected<std::vector<Mesh>> decode() const;
   Expected<Mesh> decode(std::size_t mesh) const;

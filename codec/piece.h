@@ -31,6 +31,14 @@ struct Piece {
   std::uint32_t first_face = 0;  ///< and the faces
 };
 
+/// A piece, by what can be read without decoding it.
+struct PieceInfo {
+  std::size_t mesh_index = 0, index = 0, count = 1;    ///< as in Piece
+  std::uint64_t vertices = 0, faces = 0, corners = 0;  ///< of Piece::mesh
+  bool triangles_only = true;                          ///< false: there are, or may be, other faces
+  std::uint32_t first_vertex = 0, first_face = 0;      ///< as in Piece
+};
+
 }  // namespace clers
 
 #endif

@@ -19,13 +19,6 @@ std::size_t face_of_corner(const MeshView& mesh, std::size_t h) {
 
 }  // namespace
 
-bool holds_values(std::uint64_t bytes, std::uint64_t count, std::uint64_t size,
-                  std::uint64_t stride) {
-  if (count == 0) return bytes == 0;
-  return bytes >= size && (bytes - size) / stride == count - 1 &&
-         (bytes - size) % stride <= stride - size;
-}
-
 Expected<Done> check_attribute(const AttributeView& a, std::size_t count) {
   const auto refuse = [](std::string what) {
     return fail(ErrorCode::inconsistent_mesh, std::move(what));

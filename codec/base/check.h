@@ -6,16 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "codec/base/holds_values.h"
 #include "codec/base/kind_defect.h"
 #include "codec/error.h"
 #include "codec/mesh_view.h"
 
 namespace clers::internal {
-
-/// Whether so many bytes are those of `count` values of `size` bytes, `stride` apart: the last may
-/// be followed by the rest of its stride, or not. Precondition: 0 < size <= stride.
-bool holds_values(std::uint64_t bytes, std::uint64_t count, std::uint64_t size,
-                  std::uint64_t stride);
 
 /// Refuses an attribute that has not `count` values. Error: inconsistent_mesh.
 Expected<Done> check_attribute(const AttributeView& a, std::size_t count);

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "codec/base/parallel.h"
 #include "codec/compare.h"
@@ -210,6 +211,16 @@ TEST(Pieces, DecodeAlone) {
     const Mesh &mesh = (*whole)[mesh_index], &part = piece.mesh;
     EXPECT_EQ(part.name, mesh.name);
     EXPECT_EQ(info->meshes[mesh_index].pieces, piece.count);
+    const auto said = decoder->piece_info(count - 1);
+    ASSERT_TRUE(said.ok());
+    EXPECT_EQ(std::tie(said->mesh_index, said->index, said->count),
+              std::tie(piece.mesh_index, piece.index, piece.count));
+    EXPECT_EQ(said->vertices, part.vertex_count);
+    EXPECT_EQ(said->faces, part.face_count());
+    EXPECT_EQ(said->corners, part.corners.size());
+    EXPECT_TRUE(!said->triangles_only || part.triangles_only());
+    EXPECT_EQ(std::tie(said->first_vertex, said->first_face),
+              std::tie(piece.first_vertex, piece.first_face));
 
     std::vector<std::uint32_t> number(part.vertex_count);
     std::uint32_t next = piece.first_vertex;
@@ -240,6 +251,7 @@ TEST(Pieces, DecodeAlone) {
   EXPECT_GT(count, 50u);
   EXPECT_EQ(decoder->piece_count(), count);
   EXPECT_EQ(decoder->decode_piece(count).error().code, ErrorCode::bad_option);
+  EXPECT_EQ(decoder->piece_info(count).error().code, ErrorCode::bad_option);
 }
 
 /// Every prefix is refused, and every altered byte; with right checksums too it is at least decoded
