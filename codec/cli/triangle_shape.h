@@ -8,8 +8,8 @@
 
 namespace clers::cli {
 
-/// The radius ratio of a triangle with sides of these lengths: twice the radius of the circle inside
-/// by that of the one around, 1 if equilateral, 0 of one without area.
+/// The radius ratio of a triangle with sides of these lengths: twice the radius of the circle
+/// inside by that of the one around, 1 if equilateral, 0 of one without area.
 inline double radius_ratio(double a, double b, double c) {
   const double product = a * b * c;
   return product > 0 ? std::max(0., (b + c - a) * (c + a - b) * (a + b - c) / product) : 0;
