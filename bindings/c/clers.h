@@ -36,9 +36,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#if defined(_WIN32) && defined(CLERS_C_BUILD)
+#if defined(_WIN32) && defined(CLERS_C_STATIC)
+#define CLERS_C_API
+#elif defined(_WIN32) && defined(CLERS_C_BUILD)
 #define CLERS_C_API __declspec(dllexport)
-#elif defined(_WIN32) && !defined(CLERS_C_STATIC)
+#elif defined(_WIN32)
 #define CLERS_C_API __declspec(dllimport)
 #elif defined(__GNUC__)
 #define CLERS_C_API __attribute__((visibility("default")))
