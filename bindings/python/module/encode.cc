@@ -1,6 +1,7 @@
 // Encoding, without the GIL.
 #include <pybind11/stl.h>
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "errors.h"
 #include "meshes.h"
 #include "module.h"
+#include <clers/apart.h>
 #include <clers/encode.h>
 
 namespace clers::python {
@@ -81,9 +83,85 @@ py::tuple encode_meshes(const py::sequence& meshes, const py::dict& given) {
                         py::cast(encoded.counts), warnings);
 }
 
+/// A mesh that is cut, and its arrays, which stay Python's.
+class Apart {
+ public:
+  Apart(const py::tuple& mesh, const py::dict& given)
+      : views_(std::make_unique<Views>(py::make_tuple(mesh))), options_(options_of(given)) {
+    Expected<PiecesApart> cut = fail(ErrorCode::internal, "nothing was cut");
+    {
+      const py::gil_scoped_release free;
+      cut = PiecesApart::cut(views_->get()[0], options_);
+    }
+    apart_ = std::make_unique<PiecesApart>(value_of(std::move(cut)));
+  }
+
+  std::size_t count() const { return apart_->count(); }
+  py::bytes plan() const { return bytes_of(apart_->plan()); }
+
+  py::tuple piece(std::size_t index) const {
+    Expected<Mesh> piece = fail(ErrorCode::internal, "nothing was cut");
+    {
+      const py::gil_scoped_release free;
+      piece = apart_->piece(index);
+    }
+    return tuple_of(value_of(std::move(piece)));
+  }
+
+  /// Of (bytes, vertices, faces, first corners) each: (bytes, permutation).
+  py::tuple join(const py::sequence& given) const {
+    std::vector<CodedPiece> pieces;
+    for (const py::handle entry : given) {
+      const auto row = py::cast<py::tuple>(entry);
+      const BytesOf bytes(row[0]);
+      const auto words = [&](std::size_t i) {
+        const auto span = elements_of<std::uint32_t>(py::cast<py::array>(row[i]));
+        return std::vector<std::uint32_t>(span.begin(), span.end());
+      };
+      pieces.push_back({{bytes.get().begin(), bytes.get().end()}, {words(1), words(2), words(3)}});
+    }
+    Expected<PiecesApart::Joined> joined = fail(ErrorCode::internal, "nothing was joined");
+    {
+      const py::gil_scoped_release free;
+      joined = apart_->join(pieces);
+    }
+    PiecesApart::Joined whole = value_of(std::move(joined));
+    return py::make_tuple(bytes_of(whole.bytes), tuple_of(std::move(whole.order)));
+  }
+
+ private:
+  std::unique_ptr<Views> views_;
+  EncodeOptions options_;
+  std::unique_ptr<PiecesApart> apart_;
+};
+
+/// (bytes, vertices, faces, first corners)
+py::tuple encode_piece_of(const py::tuple& piece, const py::object& plan, int level) {
+  const Views views(py::make_tuple(piece));
+  const BytesOf held(plan);
+  EncodeOptions options;
+  options.level = level;
+  Expected<CodedPiece> coded = fail(ErrorCode::internal, "nothing was encoded");
+  {
+    const py::gil_scoped_release free;
+    coded = encode_piece(views.get()[0], held.get(), options);
+  }
+  CodedPiece result = value_of(std::move(coded));
+  return py::make_tuple(bytes_of(result.bytes), array_of(std::move(result.order.vertices)),
+                        array_of(std::move(result.order.faces)),
+                        array_of(std::move(result.order.first_corners)));
+}
+
 }  // namespace
 
 void define_encode(py::module_& m) {
+  py::class_<Apart>(m, "Apart")
+      .def(py::init<const py::tuple&, const py::dict&>(), py::arg("mesh"), py::arg("options"))
+      .def_property_readonly("count", &Apart::count)
+      .def_property_readonly("plan", &Apart::plan)
+      .def("piece", &Apart::piece)
+      .def("join", &Apart::join);
+  m.def("encode_piece", &encode_piece_of, py::arg("piece"), py::arg("plan"), py::arg("level"));
   m.def("encode", &encode_meshes, py::arg("meshes"), py::arg("options"));
 }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from dataclasses import dataclass
 from typing import Any, Dict, Iterable, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -100,7 +101,8 @@ def _meshes_of(mesh: Any, vertices: Optional[Array], attributes: Optional[Attrib
     return [as_mesh(m) for m in mesh] if isinstance(mesh, (list, tuple)) else [as_mesh(mesh)]
 
 
-class Piece(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Piece:
     """A part of a file that decodes alone: a piece of a mesh, or a mesh that is not in pieces.
 
     Vertex ``seam_vertices[i]`` of it is vertex ``seam_numbers[i]`` of the whole mesh; its others are numbered from
@@ -227,7 +229,8 @@ def _checked(limits: Optional[Limits]) -> Dict[str, int]:
     return dict(limits or {})
 
 
-class Note(NamedTuple):
+@dataclass(frozen=True)
+class Note:
     """What happened to one kind of thing in reading or writing. ``loss``: the result does not have it."""
 
     loss: bool

@@ -214,7 +214,7 @@ def _from_trimesh(given: Any) -> Mesh:
     for domain in ("vertex", "face"):
         for name, values in (getattr(given, domain + "_attributes", None) or {}).items():
             mesh.attributes.append(Attribute(name, rows(values, f"values of '{name}'"), domain))
-    visual = getattr(given, "visual", None)
+    visual: Any = getattr(given, "visual", None)
     kind = getattr(visual, "kind", None)
     if kind == "texture" and getattr(visual, "uv", None) is not None:
         mesh.attributes.append(Attribute("texcoord", rows(visual.uv, "texture coordinates")))
