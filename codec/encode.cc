@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <memory>
 #include <utility>
 
 #include "codec/base/guarded.h"
@@ -12,51 +11,28 @@
 #include "codec/base/parallel.h"
 #include "codec/base/wide_corners.h"
 #include "codec/file/container.h"
+#include "codec/file/cut_mesh.h"
 #include "codec/file/mesh_encoder.h"
 #include "codec/file/metadata.h"
 #include "codec/file/piece_encoder.h"
 #include "codec/file/quantised_mesh.h"
 #include "codec/file/scene_encoder.h"
-#include "codec/pieces/partition.h"
 
 namespace CLERS_VISIBLE clers {
 namespace {
 
 using namespace internal;
 
-/// Faces of a piece; 0 where the mesh stays whole: values by index belong to all of it.
-std::uint32_t piece_faces(const MeshView& mesh, const EncodeOptions& options) {
-  const std::size_t faces = mesh.face_count();
-  for (const AttributeView a : mesh.attributes)
-    if (!a.indices.empty()) return 0;
-  if (!options.piece_faces) {
-    // Without positions it takes longer to part a mesh than to code it.
-    if (faces <= most_faces_whole || !mesh.position()) return 0;
-    // An even number of pieces: two threads have the same to do.
-    const std::size_t pairs = (faces + 2 * default_piece_faces - 1) / (2 * default_piece_faces);
-    return static_cast<std::uint32_t>((faces + 2 * pairs - 1) / (2 * pairs));
-  }
-  return faces > *options.piece_faces ? *options.piece_faces : 0;
-}
-
 /// A mesh on its way: whole, or parted into pieces.
-struct Work {
-  QuantisedMesh quantised;
-  std::unique_ptr<PieceCutter> cutter;       ///< none: the mesh is whole
+struct Work : CutMesh {
   std::vector<Expected<EncodedMesh>> coded;  ///< a mesh, or pieces
 };
 
-/// Pieces share the grids of the mesh, and are those of the values that were given.
 Expected<Done> prepare(const MeshView& mesh, const EncodeOptions& options, unsigned threads,
                        Work& work) {
-  auto quantised = quantise(mesh, options, threads);
-  if (!quantised) return Failure{quantised.error()};
-  work.quantised = std::move(*quantised);
-  if (const std::uint32_t most = piece_faces(mesh, options); most > 0) {
-    Partition parts = partition(mesh, most, threads);
-    if (parts.count() > 1)
-      work.cutter = std::make_unique<PieceCutter>(work.quantised.mesh, std::move(parts));
-  }
+  auto cut = cut_mesh(mesh, options, threads);
+  if (!cut) return Failure{cut.error()};
+  static_cast<CutMesh&>(work) = std::move(*cut);
   work.coded.assign(work.cutter ? work.cutter->count() : 1,
                     fail(ErrorCode::internal, "a piece is not encoded"));
   return Done{};
@@ -68,19 +44,6 @@ EncodedMesh finish(Work work, const MeshView& mesh, const EncodeOptions& options
   std::vector<EncodedMesh> pieces;
   for (auto& piece : work.coded) pieces.push_back(std::move(*piece));
   return join_pieces(std::move(pieces), mesh, options.order);
-}
-
-Expected<Done> check_options(const EncodeOptions& options) {
-  if (options.level < min_level || options.level > max_level)
-    return fail(ErrorCode::bad_option,
-                "level " + std::to_string(options.level) + ", expected 1 to 9");
-  if (options.piece_faces == 0)
-    return fail(ErrorCode::bad_option, "pieces of 0 faces, expected at least 1");
-  if (options.order > Order::keep) return fail(ErrorCode::bad_option, "no such order");
-  for (const DefectPolicy on :
-       {options.on_nonmanifold, options.on_degenerate, options.on_duplicate})
-    if (on > DefectPolicy::reject) return fail(ErrorCode::bad_option, "no such policy for defects");
-  return Done{};
 }
 
 /// `scene`: what there is besides the meshes; none if nothing.
