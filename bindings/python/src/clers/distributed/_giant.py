@@ -43,9 +43,9 @@ def encode_mesh(mesh: Any, target: str, *, scheduler: Scheduler = None, workers:
     given = native_options(**options)
     apart = _clers.Apart(native, given)
     if apart.count == 0:
-        data = clers.encode(whole, **options)
-        replace(target, data)
-        return data.permutations[0]
+        encoded = clers.encode(whole, **options)
+        replace(target, encoded)
+        return encoded.permutations[0]
     parts = target + ".parts"
     os.makedirs(parts, exist_ok=True)
     manifest = Manifest(os.path.join(parts, "manifest.jsonl"), {
@@ -71,8 +71,8 @@ def encode_mesh(mesh: Any, target: str, *, scheduler: Scheduler = None, workers:
                 manifest.add({"name": str(k), "sha256": digest_of(data)})
                 coded[k] = piece
                 bar.show(len(coded), "pieces")
-    data, order = apart.join([coded[k] for k in range(apart.count)])
-    replace(target, data)
+    joined, order = apart.join([coded[k] for k in range(apart.count)])
+    replace(target, joined)
     shutil.rmtree(parts)
     return Permutation(*order)
 
