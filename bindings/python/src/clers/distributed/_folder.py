@@ -54,9 +54,9 @@ def encode_folder(source: str, target: str, *, scheduler: Scheduler = None, work
     names = sorted(_mesh_files(source))
     todo: List[Tuple[str, str, str, Dict[str, Any]]] = []
     for name in names:
-        entry = manifest.get(name)
-        if entry and entry["stamp"] == _stamp(os.path.join(source, name)) and \
-                _size(_output(target, name)) == entry["bytes_out"]:
+        known = manifest.get(name)
+        if known and known["stamp"] == _stamp(os.path.join(source, name)) and \
+                _size(_output(target, name)) == known["bytes_out"]:
             result.kept.append(name)
         else:
             todo.append((source, target, name, options))

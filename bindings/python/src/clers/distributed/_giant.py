@@ -43,9 +43,9 @@ def encode_mesh(mesh: Any, target: str, *, scheduler: Scheduler = None, workers:
     given = native_options(**options)
     apart = _clers.Apart(native, given)
     if apart.count == 0:
-        data = clers.encode(whole, **options)
-        replace(target, data)
-        return data.permutations[0]
+        encoded = clers.encode(whole, **options)
+        replace(target, encoded)
+        return encoded.permutations[0]
     parts = target + ".parts"
     os.makedirs(parts, exist_ok=True)
     manifest = Manifest(os.path.join(parts, "manifest.jsonl"), {
