@@ -5,9 +5,10 @@ from __future__ import annotations
 import contextlib
 import os
 import sys
+import warnings
 from typing import Any, Callable, Iterable, Iterator, List, Optional, Tuple, Union
 
-from distributed import Client, LocalCluster
+from distributed import Client, LocalCluster, as_completed
 
 Scheduler = Union[str, Client, None]
 
@@ -49,20 +50,24 @@ class Bar:
 def run(client: Client, work: Callable[..., Any], jobs: Iterable[Tuple[Any, ...]], most: int) -> Iterator[Any]:
     """Results of work(*job), as they come. No more than ``most`` jobs are handed out at a time, so that neither
     the scheduler nor this process holds what waits. A job whose worker dies is done by another."""
-    from distributed import as_completed
     waiting = iter(jobs)
     started = as_completed([])
-    for job in waiting:
-        started.add(client.submit(work, *job, pure=False, retries=0))
+
+    def start() -> bool:
+        for job in waiting:
+            with warnings.catch_warnings():
+                # Dask would have them scattered; but what was scattered to a worker dies with it.
+                warnings.filterwarnings("ignore", message="Large object")
+                started.add(client.submit(work, *job, pure=False))
+            return True
+        return False
+
+    while most > 0 and start():
         most -= 1
-        if most <= 0:
-            break
     for future in started:
         yield future.result()
         future.release()
-        for job in waiting:
-            started.add(client.submit(work, *job, pure=False, retries=0))
-            break
+        start()
 
 
 def threads_of(client: Client) -> int:
