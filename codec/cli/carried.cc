@@ -65,19 +65,16 @@ std::uint32_t Carried::corner_of_mesh(HalfEdge h) const {
 
 /// Gives equal values at a vertex one number.
 void Carried::share(Track& track) const {
-  std::vector<std::uint32_t> others;
+  std::vector<HalfEdge> corners;
   for (const Vertex v : surface_.vertices()) {
-    others.clear();
-    for (const HalfEdge h : surface_.fan(v)) {
-      std::uint32_t& value = track.of[h.index()];
-      const auto equal = std::find_if(others.begin(), others.end(), [&](std::uint32_t other) {
-        return track.values.same(value, other);
-      });
-      if (equal == others.end())
-        others.push_back(value);
-      else
-        value = *equal;
-    }
+    corners.clear();
+    for (const HalfEdge h : surface_.fan(v)) corners.push_back(h);
+    const auto value = [&](HalfEdge h) -> std::uint32_t& { return track.of[h.index()]; };
+    std::sort(corners.begin(), corners.end(),
+              [&](HalfEdge a, HalfEdge b) { return track.values.less(value(a), value(b)); });
+    for (std::size_t i = 1; i < corners.size(); ++i)
+      if (track.values.same(value(corners[i]), value(corners[i - 1])))
+        value(corners[i]) = value(corners[i - 1]);
   }
 }
 

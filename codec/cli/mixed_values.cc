@@ -47,7 +47,7 @@ std::uint32_t MixedValues::mix(const std::array<std::uint32_t, 3>& of,
     found += sum * sum;
     mixtures_.push_back(sum);
   }
-  if (direction_ && found > 0)
+  if (direction_ && found > 0 && std::isfinite(found) && std::isfinite(wanted))
     for (std::size_t k = 0; k < n; ++k) mixtures_[first + k] *= wanted / std::sqrt(found);
   return static_cast<std::uint32_t>(given_ + first / n);
 }
@@ -57,6 +57,12 @@ bool MixedValues::same(std::uint32_t a, std::uint32_t b) const {
   if (a >= given_ || b >= given_) return false;
   const std::byte* data = of_.data.data();
   return std::memcmp(data + a * of_.stride(), data + b * of_.stride(), of_.stride()) == 0;
+}
+
+bool MixedValues::less(std::uint32_t a, std::uint32_t b) const {
+  if (a >= given_ || b >= given_) return a < b;
+  const std::byte* data = of_.data.data();
+  return std::memcmp(data + a * of_.stride(), data + b * of_.stride(), of_.stride()) < 0;
 }
 
 void MixedValues::write(std::uint32_t value, std::byte* to) const {

@@ -21,6 +21,8 @@ class MixedValues {
   /// one of most weight. Weights sum up to 1.
   std::uint32_t mix(const std::array<std::uint32_t, 3>& of, const std::array<double, 3>& weights);
   bool same(std::uint32_t a, std::uint32_t b) const;
+  /// An order in which values that are the same are neighbours.
+  bool less(std::uint32_t a, std::uint32_t b) const;
   void write(std::uint32_t value, std::byte* to) const;
 
  private:

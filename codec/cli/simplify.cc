@@ -38,6 +38,19 @@ std::string many(std::uint64_t n, const char* one, const char* more) {
   return grouped(n) + " " + (n == 1 ? one : more);
 }
 
+/// How many pairs of vertices have more than one edge: where more than two faces meet and the
+/// surface passes several times.
+std::size_t several_edges(const Surface& surface) {
+  std::vector<std::pair<Vertex, Vertex>> ends;
+  for (const HalfEdge h : surface.edges())
+    ends.push_back(std::minmax(surface.org(h), surface.dest(h)));
+  std::sort(ends.begin(), ends.end());
+  std::size_t count = 0;
+  for (std::size_t i = 1; i < ends.size(); ++i)
+    if (ends[i] == ends[i - 1] && (i == 1 || ends[i - 2] != ends[i])) ++count;
+  return count;
+}
+
 /// What made a surface of the mesh.
 void note_cuts(const SurfaceByCuts& cut, SimplifiedMesh& result) {
   result.copied = cut.copied.size();
@@ -57,6 +70,10 @@ void note_cuts(const SurfaceByCuts& cut, SimplifiedMesh& result) {
   if (!cut.copied.empty())
     result.notes.push_back("it is cut where it is no manifold: " +
                            many(cut.copied.size(), "vertex is", "vertices are") + " doubled");
+  if (const std::size_t several = several_edges(cut.surface); several != 0)
+    result.notes.push_back(
+        many(several, "edge of more than two faces is", "edges of more than two faces are") +
+        " taken for several edges between the same vertices, two faces at each");
 }
 
 }  // namespace
@@ -111,7 +128,6 @@ Expected<SimplifiedMesh> simplify(const Mesh& given, const Fewer& how,
   if (how.error)
     options.error = std::max(how.error->value * (how.error->of_diagonal ? result.diagonal : 1),
                              1e-9 * result.diagonal);
-  if (how.error && how.error->value == 0) options.shape = 0;  // which moves vertices along planes
   result.asked = options.faces;
 
   Creases creases;

@@ -14,6 +14,7 @@
 #include "topology/modeling/creases.h"
 #include "topology/modeling/placement.h"
 #include "topology/modeling/simplify.h"
+#include "topology/modeling/triangle_distance.h"
 #include "topology/surface.h"
 
 namespace clers::internal {
@@ -139,6 +140,9 @@ class EdgeCosts {
           return false;
       }
     for (const Vertex x : {u, w}) farthest = std::max(farthest, off_curve(x, b.place));
+    // Planes and lines go on for ever, and what stays does not: the ends must be near that, too.
+    for (const Vertex x : {u, w})
+      farthest = std::max(farthest, off_star(x, u, w, b.place, farthest));
     b.off = std::max(of_[u.index()].off, of_[w.index()].off) + std::sqrt(farthest);
     return true;
   }
@@ -153,6 +157,20 @@ class EdgeCosts {
           farthest = std::max(farthest, squared(cross(along, place - at(x))) / size);
       }
     return farthest;
+  }
+
+  /// The square of the distance of x from the triangles that stay when u and w are put at a place;
+  /// not looked at where it is no more than `enough`.
+  double off_star(Vertex x, Vertex u, Vertex w, const Vector3& place, double enough) const {
+    double nearest = squared(place - at(x));
+    for (const auto& [v, other] : {std::pair(u, w), std::pair(w, u)})
+      for (const HalfEdge f : surface_.fan(v)) {
+        if (nearest <= enough) return enough;
+        const Vertex p = surface_.dest(f), r = surface_.org(lprev(f));
+        if (p == other || r == other) continue;
+        nearest = std::min(nearest, squared_distance(place - at(x), at(p) - at(x), at(r) - at(x)));
+      }
+    return nearest;
   }
 
   const Surface& surface_;

@@ -50,7 +50,8 @@ struct SimplifyResult {
   std::uint64_t contracted = 0;  ///< edges, and so vertices that are gone
   /// How far the surface has moved, in units of the positions, by an estimate that mostly is too
   /// large: each contraction adds the greatest distance of the new vertex from a plane, or a
-  /// crease, of the triangles that it replaces to what these had moved already.
+  /// crease, of the triangles that it replaces, and of the old vertices from the new triangles, to
+  /// what these had moved already.
   double error = 0;
   SimplifyEnd ended = SimplifyEnd::faces;
 };

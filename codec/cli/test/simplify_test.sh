@@ -144,6 +144,8 @@ check "it closes a tetrahedron" test "$(shape a.obj)" = "4 1 0 0 0 0 0 "
 simplify hourglass.obj -o a.obj --faces 1; done_with "an hourglass"
 noted "an hourglass" "1 vertex is doubled"
 check "both its parts stay" test "$(shape a.obj)" = "8 2 0 0 0 0 0 "
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nv 0 0 -1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\nf 1 5 2\nf 1 2 6\nf 2 5 6\nf 5 1 6\n' >hinge.obj
+simplify hinge.obj -o a.obj --faces 99; noted "an edge of four faces" "1 edge of more than two faces is taken for several edges"
 awk 'BEGIN { n = 30; for (i = 0; i < n; i++) { a = 6.2831853 * i / n
     for (s = -1; s < 2; s++) print "v", (2 + s * cos(a / 2) / 2) * cos(a), (2 + s * cos(a / 2) / 2) * sin(a), s * sin(a / 2) / 2 }
   for (i = 0; i < n; i++) for (s = 0; s < 2; s++) { k = i * 3 + s + 1; l = i < n - 1 ? k + 3 : 3 - s; m = i < n - 1 ? k + 4 : 2 - s

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
 
 #include "topology/dump.h"
+#include "topology/modeling/placement.h"
 #include "topology/modeling/test/solids.h"
 #include "topology/test/meshes.h"
 #include "topology/validate.h"
@@ -272,6 +274,62 @@ TEST(Simplify, NothingIsSimple) {
   const auto done = simplify(none, at, {.faces = 0});
   ASSERT_TRUE(done);
   EXPECT_EQ(done->contracted, 0u);
+}
+
+/// From a place to the nearest of all faces: by the normal equations of each, else along its edges.
+double distance(const Position3& place, const Solid& s) {
+  using internal::Vector3;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Face f : s.surface.faces()) {
+    Vector3 x[3];
+    for (unsigned i = 0; i < 3; ++i)
+      x[i] = Vector3(s.at[s.surface.org(half_edge(f, i)).index()]) - Vector3(place);
+    const Vector3 u = x[1] - x[0], v = x[2] - x[0];
+    const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), det = uu * vv - uv * uv;
+    const double a = (uv * dot(x[0], v) - vv * dot(x[0], u)) / det;
+    const double b = (uv * dot(x[0], u) - uu * dot(x[0], v)) / det;
+    if (a >= 0 && b >= 0 && a + b <= 1) nearest = std::min(nearest, squared(x[0] + a * u + b * v));
+    for (unsigned i = 0; i < 3; ++i) {
+      const Vector3 along = x[(i + 1) % 3] - x[i];
+      const double t = std::clamp(-dot(x[i], along) / squared(along), 0., 1.);
+      nearest = std::min(nearest, squared(x[i] + t * along));
+    }
+  }
+  return std::sqrt(nearest);
+}
+
+TEST(Simplify, NoVertexWasFartherThanTheError) {
+  std::mt19937 random(3);
+  std::vector<Solid> solids;
+  solids.push_back(field(8, [](double x, double y) { return x == 4 && y == 4 ? 10. : 0.; }));
+  solids.push_back(field(14, [&](double, double) { return static_cast<double>(random() % 3); }));
+  Solid strip{grid(150, 1), {}};  // whose ends no plane holds
+  for (std::uint32_t i = 0; i < 302; ++i)
+    strip.at.push_back({double(i % 151), double(i / 151), std::sin(0.2 * (i % 151))});
+  solids.push_back(std::move(strip));
+  for (const Solid& whole : solids)
+    for (const double error : {0.1, 1., 4.}) {
+      Solid s = whole;
+      const auto done = simplify(s.surface, s.at, {.error = error});
+      ASSERT_TRUE(done);
+      EXPECT_LE(done->error, error);
+      for (const Vertex v : whole.surface.vertices())
+        EXPECT_LE(distance(whole.at[v.index()], s), done->error * (1 + 1e-9) + 1e-12) << error;
+    }
+}
+
+TEST(Simplify, NoVertexOfAPlaneTakesAllOfIt) {
+  Solid s = field(60, [](double, double) { return 0.; });
+  Creases creases;
+  Simplification simplification(s.surface, s.at, creases, {.error = 1e-7});
+  std::size_t most = 0;
+  while (const auto c = simplification.next()) {
+    contract(s.surface, creases, *c);
+    simplification.contracted(*c);
+    most = std::max<std::size_t>(most, s.surface.corner_count(c->kept));
+  }
+  EXPECT_LT(s.surface.characteristic().f, 40);
+  EXPECT_LT(most, 40u);
 }
 
 }  // namespace
