@@ -7,8 +7,8 @@
     face attributes                cell data
     name, metadata                 name of the block, field data of one string
 
-Arrays are read where VTK has them, but for 64-bit indices; what was decoded is copied once, into memory of VTK. What has
-no place on the other side is said by a warning, what goes wrong by an error.
+Arrays are read where VTK has them, but for 64-bit indices; what was decoded is copied once, into memory of VTK. What
+has no place on the other side is said by a warning, what goes wrong by an error.
 """
 
 import os
@@ -369,7 +369,8 @@ class ClersWriter(VTKPythonAlgorithmBase):
 
     @smproperty.intvector(name="KeepOrder", default_values=0)
     @smdomain.xml('<BooleanDomain name="bool"/>')
-    @smdomain.xml("<Documentation>Points and cells come back in their order; else in one that takes less.</Documentation>")
+    @smdomain.xml("<Documentation>Points and cells come back in their order; else in one that takes less."
+                  "</Documentation>")
     def SetKeepOrder(self, keep):
         self._keep_order = bool(keep)
         self.Modified()

@@ -1,10 +1,9 @@
-"""Tests of the plugin for ParaView: pvpython bindings/paraview/test.py [MESH]...
+"""Tests of the plugin for ParaView, which scripts/test-paraview runs: pvpython bindings/paraview/test.py [MESH]...
 
 Each MESH is read by the plugin, written, and compared with itself.
 """
 
 import gc
-import inspect
 import os
 import sys
 import tempfile
@@ -12,13 +11,12 @@ import unittest
 
 import numpy as np
 
-inspect.getargspec = getattr(inspect, "getargspec", inspect.getfullargspec)  # ParaView 5.11, Python 3.11
-
 import clers
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkPoints, vtkStringArray, vtkStringOutputWindow
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData
+from vtkmodules.vtkCommonCore import (vtkLogger, vtkOutputWindow, vtkPoints, vtkSOADataArrayTemplate, vtkStringArray,
+                                      vtkStringOutputWindow)
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid
 
 vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # tests read what vtkOutputWindow is told
 simple.LoadPlugin(os.path.join(os.path.dirname(os.path.abspath(__file__)), "clers_paraview.py"), ns=globals())
@@ -222,8 +220,43 @@ class Plugin(unittest.TestCase):
         self.write(vtkPolyData())
         self.assertEqual(self.read().GetNumberOfPoints(), 0)
 
+    def test_faces_of_few_corners(self):
+        faces = [[0, 2, 1], [3], [], [1, 2]]
+        self.encode(clers.make_mesh(faces, POINTS, [clers.Attribute("c", np.arange(6.0), "corner")]))
+        back = self.read()
+        self.assertEqual([len(f) for f in faces_of(back)], [3, 1, 0, 2])
+        np.testing.assert_array_equal(array(back.GetPointData(), "c")[sum(faces_of(back), [])], np.arange(6.0))
+        self.encode(clers.make_mesh([], POINTS, [clers.Attribute("c", np.zeros((0, 2)), "corner")]))
+        np.testing.assert_array_equal(array(self.read().GetPointData(), "c"), np.full((4, 2), np.nan))
+
+    def test_components_apart_and_polygons_of_32_bits(self):
+        data = polydata(TETRAHEDRON, POINTS)
+        data.GetPolys().ConvertTo32BitStorage()
+        apart = vtkSOADataArrayTemplate["float64"]()
+        apart.SetName("apart")
+        apart.SetNumberOfComponents(3)
+        for point in POINTS:
+            apart.InsertNextTuple(point.astype(float).tolist())
+        data.GetPointData().AddArray(apart)
+        self.write(data, KeepOrder=1)
+        back = self.read()
+        self.assertEqual(faces_of(back), TETRAHEDRON.tolist())
+        np.testing.assert_array_equal(array(back.GetPointData(), "apart"), POINTS)
+        self.is_silent()
+
+    def test_what_is_no_polydata_is_refused(self):
+        simple.SaveData(self.path, simple.ExtractSurface(Input=simple.Wavelet()))
+        self.assertGreater(clers.read(self.path).face_count, 0)
+        os.remove(self.path)
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, vtkUnstructuredGrid())
+        self.write(blocks)
+        self.assertFalse(os.path.exists(self.path))
+        self.says("vtkUnstructuredGrid, expected vtkPolyData")
+
     def test_names_and_metadata(self):
-        self.encode(clers.make_mesh(TETRAHEDRON, POINTS, name="héro", metadata={"author": "Ä".encode(), "raw": b"\xff"}))
+        self.encode(clers.make_mesh(TETRAHEDRON, POINTS, name="héro",
+                                    metadata={"author": "Ä".encode(), "raw": b"\xff"}))
         back = self.read()
         fields = back.GetFieldData()
         self.assertEqual(fields.GetAbstractArray("mesh name").GetValue(0), "héro")
