@@ -359,11 +359,7 @@ class CommandLine {
         ->option_text("sqrt3|loop|4-8");
     number(subdivide, "--times", options_.subdivision.times, 1u, 30u,
            "how many steps, 1 to 30; 1 is the default");
-    from(subdivide);
-    to(subdivide, "format of the output; default: by its name, else that of the input");
-    text(subdivide);
-    force(subdivide);
-    quiet(subdivide);
+    formats(subdivide);
   }
 
   void add_adapt() {
@@ -434,11 +430,7 @@ class CommandLine {
             "given more than once, as the ball goes from the first place to the last")
         ->option_text("DIR");
     json(adapt);
-    from(adapt);
-    to(adapt, "format of the output; default: by its name, else that of the input");
-    text(adapt);
-    force(adapt);
-    quiet(adapt);
+    formats(adapt);
   }
 
   void add_simplify() {
@@ -473,11 +465,7 @@ class CommandLine {
            "its bounding box",
            true);
     json(simplify);
-    from(simplify);
-    to(simplify, "format of the output; default: by its name, else that of the input");
-    text(simplify);
-    force(simplify);
-    quiet(simplify);
+    formats(simplify);
   }
 
   void add_reconstruct() {
@@ -514,11 +502,16 @@ class CommandLine {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->option_text("R,...");
     json(reconstruct);
-    from(reconstruct);
-    to(reconstruct, "format of the output; default: by its name, else that of the input");
-    text(reconstruct);
-    force(reconstruct);
-    quiet(reconstruct);
+    formats(reconstruct);
+  }
+
+  /// What all commands have that make meshes of meshes.
+  void formats(CLI::App& sub) {
+    from(sub);
+    to(sub, "format of the output; default: by its name, else that of the input");
+    text(sub);
+    force(sub);
+    quiet(sub);
   }
 
   CLI::App& add(const char* name, Command command, const char* what, const std::string& footer) {

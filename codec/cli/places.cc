@@ -15,11 +15,9 @@ Expected<std::vector<Vec3>> places_of(const Mesh& mesh, const char* by) {
   if (position == nullptr || position->components != 3)
     return fail(ErrorCode::unsupported, fmt::format("has no positions to {} by", by));
   std::vector<Vec3> at(mesh.vertex_count);
-  const std::size_t size = size_of(position->scalar);
   for (std::size_t v = 0; v < at.size(); ++v) {
-    const std::byte* p = position->data.data() + v * position->stride();
-    at[v] = {load(position->scalar, p), load(position->scalar, p + size),
-             load(position->scalar, p + 2 * size)};
+    const auto [x, y, z] = load_three(*position, v);
+    at[v] = {x, y, z};
   }
   for (const std::uint32_t v : mesh.corners)
     for (const double x : {at[v].x, at[v].y, at[v].z})

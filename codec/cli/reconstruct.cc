@@ -21,12 +21,6 @@ namespace {
 
 using Place = std::array<double, 3>;
 
-Place load_place(const Attribute& a, std::size_t v) {
-  const std::size_t size = size_of(a.scalar);
-  const std::byte* p = a.data.data() + v * a.stride();
-  return {load(a.scalar, p), load(a.scalar, p + size), load(a.scalar, p + 2 * size)};
-}
-
 bool is_place(const Place& p) {
   return std::all_of(p.begin(), p.end(), [](double x) { return std::abs(x) < 1e100; });
 }
@@ -39,10 +33,6 @@ bool is_of_vertices(const Attribute& a) {
   return a.domain == Domain::vertex && a.indices.empty();
 }
 
-std::string counted(std::uint64_t n, const char* one, const char* more) {
-  return fmt::format("{} {}", grouped(n), n == 1 ? one : more);
-}
-
 /// The points that have a place, and which vertices these are.
 struct Points {
   std::vector<std::uint32_t> vertex;
@@ -51,12 +41,12 @@ struct Points {
 
   Points(const Mesh& mesh, const Attribute* normal) {
     for (std::uint32_t v = 0; v < mesh.vertex_count; ++v) {
-      const Place p = load_place(*mesh.position(), v);
+      const Place p = load_three(*mesh.position(), v);
       if (!is_place(p)) continue;
       vertex.push_back(v);
       places.push_back(p);
       if (normal == nullptr) continue;
-      const Place n = load_place(*normal, v);
+      const Place n = load_three(*normal, v);
       normals.push_back(is_place(n) ? n : Place{});  // which does not say where it looks
     }
     if (places.empty()) return;

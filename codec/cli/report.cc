@@ -16,6 +16,10 @@ std::string grouped(std::uint64_t n) {
   return digits;
 }
 
+std::string counted(std::uint64_t n, const char* one, const char* more) {
+  return grouped(n) + " " + (n == 1 ? one : more);
+}
+
 namespace {
 
 using Json = nlohmann::ordered_json;

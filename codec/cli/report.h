@@ -19,6 +19,8 @@ struct Measured {
 
 /// 1234567 -> "1,234,567".
 std::string grouped(std::uint64_t n);
+/// "1 face", "1,234 faces".
+std::string counted(std::uint64_t n, const char* one, const char* more);
 
 /// One file in detail.
 std::string info_text(const std::string& file, const Inspection& found);

@@ -34,10 +34,6 @@ double worst_ratio(const Surface& surface, const std::vector<Position3>& at) {
   return low_ratio(ratios);
 }
 
-std::string many(std::uint64_t n, const char* one, const char* more) {
-  return grouped(n) + " " + (n == 1 ? one : more);
-}
-
 /// How many pairs of vertices have more than one edge: where more than two faces meet and the
 /// surface passes several times.
 std::size_t several_edges(const Surface& surface) {
@@ -57,22 +53,23 @@ void note_cuts(const SurfaceByCuts& cut, SimplifiedMesh& result) {
   result.reversed = cut.reversed.size();
   result.left_out = cut.degenerate.size() + cut.repeated.size();
   if (!cut.degenerate.empty())
-    result.notes.push_back(many(cut.degenerate.size(), "face without area, on a vertex twice, is",
-                                "faces without area, on a vertex twice, are") +
+    result.notes.push_back(counted(cut.degenerate.size(),
+                                   "face without area, on a vertex twice, is",
+                                   "faces without area, on a vertex twice, are") +
                            " left out");
   if (!cut.repeated.empty())
-    result.notes.push_back(many(cut.repeated.size(), "face that repeats another one is",
-                                "faces that repeat others are") +
+    result.notes.push_back(counted(cut.repeated.size(), "face that repeats another one is",
+                                   "faces that repeat others are") +
                            " left out");
   if (!cut.reversed.empty())
-    result.notes.push_back(many(cut.reversed.size(), "face is", "faces are") +
+    result.notes.push_back(counted(cut.reversed.size(), "face is", "faces are") +
                            " turned around, to look where the faces beside look");
   if (!cut.copied.empty())
     result.notes.push_back("it is cut where it is no manifold: " +
-                           many(cut.copied.size(), "vertex is", "vertices are") + " doubled");
+                           counted(cut.copied.size(), "vertex is", "vertices are") + " doubled");
   if (const std::size_t several = several_edges(cut.surface); several != 0)
     result.notes.push_back(
-        many(several, "edge of more than two faces is", "edges of more than two faces are") +
+        counted(several, "edge of more than two faces is", "edges of more than two faces are") +
         " taken for several edges between the same vertices, two faces at each");
 }
 
@@ -89,12 +86,12 @@ Expected<SimplifiedMesh> simplify(const Mesh& given, const Fewer& how,
     const auto none = std::count_if(given.face_sizes.begin(), given.face_sizes.end(),
                                     [](std::uint32_t size) { return size < 3; });
     if (none != 0)
-      result.notes.push_back(many(static_cast<std::uint64_t>(none),
-                                  "face of fewer than three corners is",
-                                  "faces of fewer than three corners are") +
+      result.notes.push_back(counted(static_cast<std::uint64_t>(none),
+                                     "face of fewer than three corners is",
+                                     "faces of fewer than three corners are") +
                              " left out");
     if (result.polygons != 0)
-      result.notes.push_back(many(result.polygons, "polygon is", "polygons are") +
+      result.notes.push_back(counted(result.polygons, "polygon is", "polygons are") +
                              " cut into triangles");
     of_triangles = triangulated(given, *places);
   }
@@ -107,9 +104,9 @@ Expected<SimplifiedMesh> simplify(const Mesh& given, const Fewer& how,
   if (const std::int64_t isolated =
           static_cast<std::int64_t>(mesh.vertex_count + cut->copied.size()) - result.before.v;
       isolated != 0)
-    result.notes.push_back(
-        many(static_cast<std::uint64_t>(isolated), "isolated vertex is", "isolated vertices are") +
-        " left out");
+    result.notes.push_back(counted(static_cast<std::uint64_t>(isolated), "isolated vertex is",
+                                   "isolated vertices are") +
+                           " left out");
 
   for (const std::uint32_t v : cut->copied) places->push_back((*places)[v]);
   result.diagonal = diagonal_of(surface, *places);
@@ -126,8 +123,7 @@ Expected<SimplifiedMesh> simplify(const Mesh& given, const Fewer& how,
                               : faces.count;
   // Less is what places are rounded by.
   if (how.error)
-    options.error = std::max(how.error->value * (how.error->of_diagonal ? result.diagonal : 1),
-                             1e-9 * result.diagonal);
+    options.error = std::max(how.error->in_units(result.diagonal), 1e-9 * result.diagonal);
   result.asked = options.faces;
 
   Creases creases;
@@ -159,7 +155,7 @@ Expected<SimplifiedMesh> simplify(const Mesh& given, const Fewer& how,
 
 std::string unreached(const SimplifiedMesh& r) {
   if (r.asked == 0 || r.ended == SimplifyEnd::faces) return "";
-  const std::string left = many(static_cast<std::uint64_t>(r.after.f), "face is", "faces are");
+  const std::string left = counted(static_cast<std::uint64_t>(r.after.f), "face is", "faces are");
   return left + (r.ended == SimplifyEnd::smallest
                      ? " the fewest that keep components, curves, handles, seams and sides"
                      : " the fewest within the error");
@@ -168,7 +164,7 @@ std::string unreached(const SimplifiedMesh& r) {
 std::string describe(const SimplifiedMesh& r) {
   const auto count = [](std::int64_t n) { return grouped(static_cast<std::uint64_t>(n)); };
   const auto kept = [](std::int64_t n, const char* one, const char* more) {
-    return many(static_cast<std::uint64_t>(n), one, more);
+    return counted(static_cast<std::uint64_t>(n), one, more);
   };
   return fmt::format(
       "{} -> {} triangles, {} -> {} vertices; error {:.3g} ({:.2g} % of the diagonal), "

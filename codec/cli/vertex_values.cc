@@ -14,6 +14,12 @@ double load(Scalar scalar, const std::byte* at) {
   });
 }
 
+std::array<double, 3> load_three(const Attribute& a, std::size_t i) {
+  const std::size_t size = size_of(a.scalar);
+  const std::byte* p = a.data.data() + i * a.stride();
+  return {load(a.scalar, p), load(a.scalar, p + size), load(a.scalar, p + 2 * size)};
+}
+
 void store(Scalar scalar, double x, std::byte* at) {
   with_type(scalar, [&](auto value) {
     using T = decltype(value);
