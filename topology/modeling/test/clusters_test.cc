@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "topology/dump.h"
 #include "topology/modeling/operator_log.h"
@@ -45,16 +44,8 @@ double worst_twentieth(const Solid& s) {
 }
 
 TEST(Clusters, KeepTopologyAndPositionsAtAnySize) {
-  std::vector<Solid> solids;
-  solids.push_back(round_torus(30, 20));
-  solids.push_back(field(20, [](double x, double y) { return std::sin(x) * std::cos(y); }));
-  solids.push_back({chain_of_tori(3, 6), {}});
-  std::mt19937 random(1);
-  solids.back().at.resize(solids.back().surface.vertex_limit());
-  for (Position3& p : solids.back().at)
-    for (double& x : p) x = static_cast<double>(random() % 1000);
   Creases none;
-  for (const Solid& whole : solids) {
+  for (const Solid& whole : solids_of_each_kind()) {
     const Characteristic before = whole.surface.characteristic();
     for (const std::int64_t percent : {50, 10, 0}) {
       Solid s = whole;

@@ -43,15 +43,7 @@ void expect_topology(const Surface& surface, const Characteristic& before) {
 }
 
 TEST(Simplify, KeepsTopologyAtAnySize) {
-  std::vector<Solid> solids;
-  solids.push_back(round_torus(30, 20));
-  solids.push_back(field(20, [](double x, double y) { return std::sin(x) * std::cos(y); }));
-  solids.push_back({chain_of_tori(3, 6), {}});
-  std::mt19937 random(1);
-  solids.back().at.resize(solids.back().surface.vertex_limit());
-  for (Position3& p : solids.back().at)
-    for (double& x : p) x = static_cast<double>(random() % 1000);
-  for (const Solid& whole : solids) {
+  for (const Solid& whole : solids_of_each_kind()) {
     const Characteristic before = whole.surface.characteristic();
     for (const std::int64_t percent : {50, 10, 1, 0}) {
       Solid s = whole;

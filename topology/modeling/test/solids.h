@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <random>
 #include <vector>
 
 #include "topology/modeling/simplify.h"
@@ -36,6 +37,19 @@ Solid field(std::uint32_t n, Height&& height) {
     s.at.push_back({x, y, height(x, y)});
   }
   return s;
+}
+
+/// One closed and smooth, one with a boundary, one of genus 3 whose vertices lie anywhere.
+inline std::vector<Solid> solids_of_each_kind() {
+  std::vector<Solid> solids;
+  solids.push_back(round_torus(30, 20));
+  solids.push_back(field(20, [](double x, double y) { return std::sin(x) * std::cos(y); }));
+  solids.push_back({chain_of_tori(3, 6), {}});
+  std::mt19937 random(1);
+  solids.back().at.resize(solids.back().surface.vertex_limit());
+  for (Position3& p : solids.back().at)
+    for (double& x : p) x = static_cast<double>(random() % 1000);
+  return solids;
 }
 
 }  // namespace clers::test
